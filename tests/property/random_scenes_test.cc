@@ -141,6 +141,8 @@ struct Tally {
   std::map<std::string, int> faults;
 };
 
+constexpr std::uint64_t kFloorOfPlanted = 98;  // percent that are solved with nothing given up, at least
+
 void run(bool planted, const std::function<std::string(const SceneGraph&, const Result<Layout>&)>& fault_of_answer) {
   const std::uint64_t rounds = from_environment("LAYOUTBOX_RANDOM_ROUNDS", 100), first = from_environment("LAYOUTBOX_RANDOM_SEED", 1);
   Tally tally;
@@ -165,6 +167,9 @@ void run(bool planted, const std::function<std::string(const SceneGraph&, const 
   }
   std::printf("%s scenes from seed %llu: %d solved, %d relaxed, %d not found\n", planted ? "planted" : "free",
               static_cast<unsigned long long>(first), tally.solved, tally.relaxed, tally.not_found);
+  if (planted) {
+    EXPECT_GE(100 * static_cast<std::uint64_t>(tally.solved), kFloorOfPlanted * rounds) << "a layout exists, and things were given up";
+  }
   for (const auto& [kind, count] : tally.faults) std::printf("  %d x %s\n", count, kind.c_str());
 }
 

@@ -34,14 +34,20 @@ FourJudgements summed(const vlm::RoomAnswers& answers) {
 
 }  // namespace
 
-Status Pictures::draw_once(const Layout& layout, const fs::path& folder, bool all_walls) {
+RenderOptions picture_options(bool all_walls) {
   RenderOptions render;
   render.quality = Quality::kDraft;
   render.width = kWidth, render.height = kHeight;
+  render.corner = Corner::kSouthEast;
   render.save_blend = false;
   render.overlay = !all_walls;
   render.thumbnail = !all_walls;
   render.all_walls = all_walls;
+  return render;
+}
+
+Status Pictures::draw_once(const Layout& layout, const fs::path& folder, bool all_walls) {
+  RenderOptions render = picture_options(all_walls);
   render.stop = stop_;
   LAYOUTBOX_ASSIGN(const TemporaryFolder place, TemporaryFolder::make("experiment-picture"));
   LAYOUTBOX_ASSIGN(const Model model, furnish(layout, catalog_));

@@ -32,6 +32,9 @@ struct PictureOptions {
   vlm::JudgeOptions asking;
 };
 
+// How every room of an experiment is drawn: small, and from the paper's fixed azimuth of 45°, so that no method's rooms are shown better.
+RenderOptions picture_options(bool all_walls);
+
 // Draws one picture at a time, by one Blender for all rooms.
 class Pictures {
  public:

@@ -100,19 +100,61 @@ class AfterTheStop : public testing::Test {
   }
 };
 
-TEST_F(AfterTheStop, NothingMuchIsDone) {
-  constexpr std::int64_t kMoment = 100'000;  // some milliseconds
-  const SceneGraph chairs = grid_of_chairs(400, 20);
-  EXPECT_LT(work_of(chairs, true), kMoment);
-  EXPECT_LT(work_of(chairs, false), kMoment);
+constexpr std::int64_t kMoment = 100'000;  // steps: some milliseconds
+
+SceneGraph near_in_many_ways(int ways) {
   SceneMaker maker(6000, 5000);
   maker.add("armchair").add("sofa");
-  for (Mm i = 0; i < 80; ++i) {
+  for (Mm i = 0; i < ways; ++i) {
     RelationParameters band;
     band.min = 300 + i, band.max = 2500 + i;
     maker.relate("near", {"armchair_1"}, {"sofa_1"}, band);
   }
-  const SceneGraph near = maker.make(true);
+  return maker.make(true);
+}
+
+// Bounds of domains are looked for only as long as there is time.
+TEST_F(AfterTheStop, DomainsStayAsWideAsTheyAre) {
+  const SceneGraph scene = near_in_many_ways(200);
+  const auto model = build_model(scene, Catalog::builtin());
+  ASSERT_TRUE(model);
+  Budget budget{0, 1'000'000'000, [] { return true; }, false};
+  RegionFinder finder(*model, {});
+  finder.watch(&budget);
+  EXPECT_TRUE(budget.stopped);
+  EXPECT_LT(budget.work, kMoment);
+}
+
+// Wherever in its moves the stop finds the improvement of a crowd.
+TEST_F(AfterTheStop, ACrowdIsMovedNoMore) {
+  const SceneGraph scene = grid_of_chairs(225, 15);
+  const auto model = build_model(scene, Catalog::builtin());
+  ASSERT_TRUE(model);
+  const std::vector<char> all(model->items.size(), 0);
+  Budget finding{0, 1'000'000'000, {}, false};
+  Search search(*model, {}, 1, 0);
+  ASSERT_TRUE(search.construct(all, 1, finding));
+  const Placements found = search.placements();
+  for (int asks = 0; asks < 300; asks += 20) {
+    int asked = 0;
+    std::optional<std::int64_t> at;
+    Budget budget{0, 1'000'000'000, {}, false};
+    budget.stop = [&] {
+      if (++asked > asks && !at) at = budget.steps + budget.work;
+      return at.has_value();
+    };
+    search.adopt(found, all);
+    search.improve(budget, kPatience, false);
+    if (!at) continue;
+    EXPECT_LT(budget.steps + budget.work - *at, kMoment / 4) << "after the stop was asked for " << asks << " times";
+  }
+}
+
+TEST_F(AfterTheStop, NothingMuchIsDone) {
+  const SceneGraph chairs = grid_of_chairs(400, 20);
+  EXPECT_LT(work_of(chairs, true), kMoment);
+  EXPECT_LT(work_of(chairs, false), kMoment);
+  const SceneGraph near = near_in_many_ways(80);
   EXPECT_LT(work_of(near, true), kMoment);
   EXPECT_LT(work_of(near, false), kMoment);
 }

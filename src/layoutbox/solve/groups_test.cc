@@ -115,5 +115,30 @@ TEST(Habit, EightStoolsAlongALongCounterInALine) {
   EXPECT_LT(*high - *low, 150) << "not in a line";
 }
 
+// The first to sit down leaves the others room on the circle: none is left standing in the table's legs.
+TEST(Groups, ManyRoundTablesWithEightChairsEach) {
+  SceneMaker maker(14800, 11800);
+  maker.add("table", 12).add("chair", 96);
+  for (SceneObject& object : maker.raw().objects) {
+    if (object.category == "table")
+      object.name = "round table", object.size = SizeRange{{1700, 1700, 750}, {1700, 1700, 750}, {1700, 1700, 750}};
+  }
+  for (int table = 0; table < 12; ++table) {
+    std::vector<std::string> chairs;
+    for (int chair = 1; chair <= 8; ++chair) chairs.push_back("chair_" + std::to_string(8 * table + chair));
+    maker.relate("surround", chairs, {"table_" + std::to_string(table + 1)});
+  }
+  SolveOptions options;
+  options.improve = false;
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    options.seed = seed;
+    const auto layout = solve(maker.make(true), Catalog::builtin(), options);
+    ASSERT_TRUE(layout) << layout.error().message;
+    EXPECT_EQ(layout->status, LayoutStatus::kSolved) << layout->relaxed.size() << " given up";
+    EXPECT_EQ(layout->stats.solver, "search");
+    expect_sound(*layout);
+  }
+}
+
 }  // namespace
 }  // namespace layoutbox::placement

@@ -28,6 +28,14 @@ std::optional<Relaxation> Solver::relaxation_of(const std::string& name, const s
   return out;
 }
 
+// Is there none where one is asked for? The search knows nothing of ways, only the improvement does.
+bool Solver::lacks_a_way() const {
+  const auto asks = [](const Relation& r) { return r.type == RelationType::kReachable && r.hard; };
+  if (std::ranges::none_of(scene().relations, asks)) return false;
+  const Layout layout = to_layout(model_, placements_);
+  return std::ranges::any_of(layout.relations, [&](const PlacedRelation& r) { return asks(r.relation) && !r.held; });
+}
+
 // What does not hold: what was asked for is given up, all else gave way.
 void Solver::list_what_is_missed(Layout& layout) {
   const auto list = [&](bool asked, Relaxation item) { (asked ? layout.relaxed : layout.gave_way).push_back(std::move(item)); };

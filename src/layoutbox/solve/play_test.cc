@@ -63,5 +63,20 @@ TEST(LittlePlay, IsFound) {
   EXPECT_LE(relaxed, 1);  // below 2 %
 }
 
+// … also from what stands on something: higher or lower, and told where.
+TEST(LittlePlay, IsFoundAcrossHeights) {
+  for (const Mm least : {1200, 1800, 2400}) {
+    SceneMaker maker(4500, 4000);
+    maker.add("table").add("table_lamp").add("pouf").relate("on", {"table_lamp_1"}, {"table_1"});
+    RelationParameters band;
+    band.min = least, band.max = least + 100;
+    maker.relate("distance", {"pouf_1"}, {"table_lamp_1"}, band);
+    const auto layout = solve(maker.make(), Catalog::builtin());
+    ASSERT_TRUE(layout) << layout.error().message;
+    EXPECT_EQ(layout->status, LayoutStatus::kSolved) << least;
+    expect_sound(*layout);
+  }
+}
+
 }  // namespace
 }  // namespace layoutbox::placement

@@ -192,7 +192,7 @@ TEST(Conflict, WidthsAlongAWall) {
   EXPECT_EQ(failed.error().code, ErrorCode::kInfeasible);
   ASSERT_EQ(failed.error().details.size(), 1u);
   EXPECT_EQ(failed.error().details[0].message,
-            "the wardrobe (2.40 m) and the bed (1.60 m) both stand against the back wall, which is 3.20 m long");
+            "the wardrobe (2.40 m) and the bed (1.60 m) both stand against the back wall, which is 3.20 m long, 0.80 m too little");
 
   const Layout layout = solved(scene);
   EXPECT_EQ(layout.status, LayoutStatus::kRelaxed);
@@ -324,6 +324,29 @@ TEST(BadScene, OptionsOutOfRange) {
   const auto layout = solve(SceneMaker(4000, 3000).add("chair").make(), Catalog::builtin(), options);
   ASSERT_FALSE(layout);
   EXPECT_EQ(layout.error().code, ErrorCode::kUsage);
+}
+
+// Without an improvement too, which alone knows of ways.
+TEST(Solver, AWayThatIsAskedForIsLookedForAlsoWithoutAnImprovement) {
+  SolveOptions options;
+  options.improve = false;
+  for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6}) {
+    options.seed = seed;
+    SceneMaker maker(3000, 3000);
+    maker.opening(OpeningType::kDoor, "wall1", 100);
+    maker.add("bookshelf", 3).add("sofa").add("chair").relate("reachable", {"chair_1"}, {"door1"});
+    const auto layout = solve(maker.make(), Catalog::builtin(), options);
+    ASSERT_TRUE(layout) << layout.error().message;
+    EXPECT_EQ(layout->status, LayoutStatus::kSolved) << "seed " << seed;
+  }
+}
+
+TEST(Solver, ADoorAndAWindowMayTouch) {
+  SceneMaker maker(4000, 3000);
+  maker.opening(OpeningType::kDoor, "wall4", 50, 900).opening(OpeningType::kWindow, "wall4", 950, 1200, 900, 1200).add("desk");
+  const auto layout = solve(maker.make(), Catalog::builtin());
+  ASSERT_TRUE(layout) << layout.error().message;
+  EXPECT_EQ(layout->status, LayoutStatus::kSolved);
 }
 
 TEST(Stop, FromOutside) {

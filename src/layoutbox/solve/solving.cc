@@ -50,7 +50,7 @@ Result<Layout> Solver::run() {
     return fail(ErrorCode::kNotFound, not_found_[0] + ", and no proof that there is none", {}, "raise --effort or --time-limit");
   finding_.limit = finding_.steps + budgets_.finding / kShareOfTakingBack;
   if (!fallback_) take_back();
-  if (options_.improve && !fallback_ && !must_stop()) {
+  if (!fallback_ && !must_stop() && (options_.improve || lacks_a_way())) {
     improve();
     prove_best();
   }
@@ -96,7 +96,7 @@ Result<Solver::Round> Solver::settle_failed_search() {
 
 // With something legal: whether what was left out comes back, once.
 Result<Solver::Round> Solver::settle_left_out() {
-  if (left_out_ids_.size() < (shed_ ? 1 : 2) || brought_back_) return Round::kPlaced;
+  if (left_out_ids_.size() < (shed_ || made_way_ ? 1 : 2) || brought_back_) return Round::kPlaced;
   brought_back_ = true;
   LAYOUTBOX_ASSIGN(const bool more, bring_back());
   return more ? Round::kAgain : Round::kPlaced;
@@ -113,6 +113,10 @@ Status Solver::find_legal() {
     if (enough()) break;
     LAYOUTBOX_ASSIGN(now, settle_sums());
     if (now == Round::kPlaced && !search(given_up_)) {
+      if (!brought_.empty()) {
+        placements_ = brought_, size_limit_ = kAllSizes;
+        return {};
+      }
       LAYOUTBOX_ASSIGN(now, settle_failed_search());
     }
     if (now == Round::kPlaced) {
@@ -251,7 +255,7 @@ bool Solver::begin(Search& search, int start, Budget& budget) {
   Budget part{0, std::max(kLeastSteps, (budget.limit - budget.steps) / kShareOfStarts), budget.stop, false};
   bool found = start == 0 ? search.construct(left_out_, 1, part) : search.construct_unlike(left_out_, part);
   if (!found && start == 0) search.adopt(placements_, left_out_), found = true;
-  if (!found) {
+  if (!found && !part.stopped) {
     const Dependencies dependencies(model_);
     Placements other(model_.items.size());
     QuickSearch quick(model_, dependencies, given_up_, options_.seed + kSeedStep * static_cast<std::uint64_t>(start), size_limit_);
@@ -307,6 +311,7 @@ void Solver::improve() {
     }
     if (take_if_better()) idle = 0;
   }
+  if (budget.stopped) return;
   // The best of all gets a share of its own: each thing is looked at once more, however much was spent on the way.
   Budget last{0, std::max(budgets_.improvement / kShareOfLast, budget.limit - budget.steps), budget.stop, false};
   search.adopt(placements_, left_out_);

@@ -91,11 +91,19 @@ class Solver {
   bool search_without_assumptions();
   bool is_missed(int constraint) const;
   Status yield_assumptions(bool found);
-  std::vector<std::string> companions_placed_by(const Constraint& constraint) const;
-  Status leave_out_companions(std::vector<std::string> ids);
   std::vector<int> extras_in_the_way();
   bool is_asked(int item) const;
   bool floor_gives_way(const Clash& clash, const std::vector<int>& objects);
+
+  // ---- what came unasked for with another thing (companions.cc)
+  bool is_companion(int item) const;
+  std::vector<int> companions() const;
+  std::vector<std::string> companions_placed_by(const Constraint& constraint) const;
+  Status leave_out_companions(std::vector<std::string> ids);
+  Result<bool> companions_make_way();
+  Result<bool> companions_make_way_for(const std::vector<int>& items);
+  bool companions_are_in_the_way();
+  void leave_out_the_lonely();
 
   // ---- what is given up when not everything can hold (give_up.cc)
   bool demands_left(Firmness firmness) const;
@@ -104,8 +112,11 @@ class Solver {
   Result<bool> give_up_unproven(bool loose, const Placements& loosely);
   Result<bool> settle();
   Status take_what_fits();
+  Status note_what_is_missing();
   void drop_what_hangs_in_the_air();
-  void place_what_fits(const PlacementModel& trial, const std::vector<char>& given_up, std::uint64_t seed, double until);
+  void place_what_fits(const PlacementModel& trial, const std::vector<char>& given_up, const std::vector<char>& left_out,
+                       std::uint64_t seed, double until);
+  void let_companions_in(const PlacementModel& trial, const std::vector<char>& given_up);
   void place_openings_first(const PlacementModel& trial, const std::vector<char>& given_up);
   std::vector<char> all_wished(PlacementModel& trial) const;
   void keep_what_can_be(std::vector<int>& missed);
@@ -138,14 +149,17 @@ class Solver {
   // ---- far too much (shed.cc)
   std::vector<int> surplus_items() const;
   Result<bool> shed(const std::vector<Clash>& sums);
+  std::optional<std::string> too_little_floor(const std::vector<int>& without) const;
   Status note_crowd(const std::vector<Clash>& sums);
   void sum_up_shedding();
   Status rebuild();
+  std::vector<std::string> may_be_brought_back() const;
   Result<bool> bring_back();
 
   // ---- what is said of it in the end (outcome.cc)
   std::optional<Relaxation> relaxation_of(const std::string& name, const std::string& why) const;
   void list_what_is_missed(Layout& layout);
+  bool lacks_a_way() const;
   Layout finish();
 
   const SceneGraph& asked_;
@@ -170,6 +184,7 @@ class Solver {
   std::optional<Conflict> crowd_;                    // the fewest things that are too many, where some are shed
   std::set<std::string> looked_at_alone_;            // relations
   Placements placements_;
+  Placements brought_;  // with what was left out and came back
   std::vector<int> failed_;
   int size_limit_ = 0;
   double proof_time_ = 0;  // left of what CP-SAT may take
@@ -178,7 +193,7 @@ class Solver {
   int unproven_ = 0;          // rounds that ended without a layout and without a proof
   bool proven_best_ = false;  // no layout is better by a point
   bool used_cp_sat_ = false, fallback_ = false, stopped_by_clock_ = false, brought_back_ = false, searched_elsewhere_ = false,
-       shed_ = false;
+       shed_ = false, made_way_ = false;
 };
 
 }  // namespace layoutbox::placement

@@ -169,11 +169,46 @@ constexpr Mm kWithinSlack = 3;           // of the 5 mm that every length is all
 constexpr int kMostSectors = 12;         // of a quadrant
 constexpr std::int32_t kPlanar = 10000;  // directions are whole numbers of this length
 
+// Where it stands if it stands as it is told to: on the floor, or on top of something there.
+std::optional<Mm> told_underside(const PlacementModel& model, int item) {
+  const Item& self = model.items[static_cast<std::size_t>(item)];
+  if (const auto known = underside_of(self); known || self.is_opening()) return known;
+  for (const Relation& r : model.scene->relations) {
+    if (r.type != RelationType::kOn || r.references.size() != 1 || std::ranges::find(r.targets, self.id) == r.targets.end()) continue;
+    const int host = model.find_item(r.references[0]);
+    if (host >= 0 && floor_only(model.items[static_cast<std::size_t>(host)]))
+      return model.items[static_cast<std::size_t>(host)].states[0].extent[2];
+  }
+  return std::nullopt;
+}
+
+// The heights that these things are told to have, which a case may count on that asks for them.
+Heights told_heights(const PlacementModel& model, int t, int r, Case& asks) {
+  Heights h;
+  const auto low_t = told_underside(model, t), low_r = told_underside(model, r);
+  if (!low_t || !low_r) return h;
+  h.known = true;
+  h.states = model.items[static_cast<std::size_t>(t)].all_states;
+  for (const State& a : model.items[static_cast<std::size_t>(t)].states) {
+    for (const State& b : model.items[static_cast<std::size_t>(r)].states)
+      h.gap = std::max(h.gap, gap_in_height(*low_t, a.extent[2], *low_r, b.extent[2]));
+  }
+  for (const auto& [item, low] : {std::pair{t, *low_t}, std::pair{r, *low_r}})
+    asks.require(lo(item, 2) - Linear(low)).require(Linear(low) - lo(item, 2));
+  return h;
+}
+
 // A ring too narrow for the octagons: pieces of it, one beside the other, beyond the corners of r.
 void add_ring(std::vector<Case>& cases, const PlacementModel& model, int t, const Place& r, Mm least, Mm most) {
-  const Heights heights = heights_between(model, t, r, most, Purpose::kPlacing);
   const bool odd = model.items[t].odd_states != 0 || (r.item >= 0 && model.items[r.item].odd_states != 0);
-  if (r.item < 0 || odd || !heights.known || heights.gap != 0 || least <= 0 || most < least || most * 10 > least * 11 + 300) return;
+  if (r.item < 0 || odd || least <= 0 || most < least || most * 10 > least * 11 + 300) return;
+  Heights heights = heights_between(model, t, r, most, Purpose::kPlacing);
+  Case asks;
+  if (!heights.known) heights = told_heights(model, t, r.item, asks);
+  if (!heights.known || heights.gap >= least) return;
+  // In plan. What is so far in plan is as far in all.
+  most = static_cast<Mm>(std::floor(std::sqrt(static_cast<double>(most) * most - static_cast<double>(heights.gap) * heights.gap)));
+  if (most < least) return;
   // From the middle of a piece on: so far out, so far to either side.
   const double out = least + std::max(1.0, (most - least) / 2.0), limit = most + kWithinSlack;
   const double aside = std::sqrt(limit * limit - out * out);
@@ -187,7 +222,7 @@ void add_ring(std::vector<Case>& cases, const PlacementModel& model, int t, cons
                    s = static_cast<std::int32_t>(std::lround(kPlanar * std::sin(angle)));
         const Linear ahead = c * x + s * y, across = c * y - s * x;
         const auto scaled = [](double length) { return Linear(static_cast<std::int64_t>(std::floor(length * kPlanar))); };
-        Case& in = cases.emplace_back();
+        Case& in = cases.emplace_back(asks);
         if (heights.states != model.items[t].all_states) in.when(t, heights.states);
         in.require(x).require(y).require(ahead - scaled(least), kPlanar).require(scaled(out) - ahead, kPlanar);
         in.require(scaled(aside) - across, kPlanar).require(scaled(aside) + across, kPlanar);

@@ -1,4 +1,4 @@
-// What nobody asked for gives way to what was: hosts and places that are assumed, free floor before openings, companions.
+// What nobody asked for gives way to what was: hosts and places that are assumed, free floor before openings.
 #include <fmt/format.h>
 
 #include "layoutbox/solve/conflict/relax.h"
@@ -80,33 +80,6 @@ Status Solver::yield_assumptions(bool found) {
     LAYOUTBOX_CHECK(give_up(clash));
   }
   return leave_out_companions(companions);
-}
-
-// The things that came unasked for with what they stand by, where that is what the constraint says; else none.
-std::vector<std::string> Solver::companions_placed_by(const Constraint& constraint) const {
-  if (constraint.relation < 0) return {};
-  const Relation& relation = scene().relations[static_cast<std::size_t>(constraint.relation)];
-  const auto came = [&](const std::string& id) {
-    const SceneObject* object = scene().find_object(id);
-    return object != nullptr && object->origin == Origin::kAdded;
-  };
-  if (relation.origin != Origin::kAdded || !std::all_of(relation.targets.begin(), relation.targets.end(), came)) return {};
-  return relation.targets;
-}
-
-// A chair that came with a desk and finds no place there is of no use elsewhere: it stays away.
-Status Solver::leave_out_companions(std::vector<std::string> ids) {
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-  if (ids.empty()) return {};
-  for (const std::string& id : ids) {
-    const int item = model_.find_item(id);
-    note_lost_by(item);
-    left_out_ids_.push_back(id);
-    reasons_.push_back(
-        {id, 0, "", object_in_words(model_, item) + " is left out: nobody asked for it, and no place was found where it is used"});
-  }
-  return rebuild();
 }
 
 // Objects that nobody asked for, where all the rest finds its place without them.

@@ -131,8 +131,10 @@ Clash too_wide(const PlacementModel& model, const RoomWall& wall, const std::vec
     words.push_back(fmt::format("{} ({})", object_in_words(model, one.item), metres(one.width)));
   }
   const char* verb = things.size() == 1 ? "stands" : things.size() == 2 ? "both stand" : "all stand";
-  clash.sentence = fmt::format("{} {} against {}, which is {} long", listed(words), verb, wall_in_words(wall, model.walls.size() == 4),
-                               metres(wall.hi - wall.lo));
+  const Mm sum = std::accumulate(things.begin(), things.end(), 0, [](Mm s, const AtWall& one) { return s + one.width; });
+  const Mm missing = std::max(sum - (wall.hi - wall.lo), 10);
+  clash.sentence = fmt::format("{} {} against {}, which is {} long, {} too little", listed(words), verb,
+                               wall_in_words(wall, model.walls.size() == 4), metres(wall.hi - wall.lo), metres(missing));
   return clash;
 }
 
@@ -167,19 +169,25 @@ int widest_door(const PlacementModel& model, const std::vector<char>& given_up, 
   return widest;
 }
 
+// Of things that may stand under one another only the larger counts: what is left surely covers its outline alone.
+void keep_apart(const PlacementModel& model, std::vector<std::pair<std::int64_t, int>>& areas) {
+  std::vector<std::pair<std::int64_t, int>> apart;
+  for (const auto& one : areas) {
+    const auto shares = [&](const auto& other) { return model.pair(one.second, other.second) == PairRule::kSolids; };
+    if (std::none_of(apart.begin(), apart.end(), shares)) apart.push_back(one);
+  }
+  areas = std::move(apart);
+}
+
 void add_too_much(const PlacementModel& model, const std::vector<char>& given_up, const std::vector<char>& left_out,
                   std::vector<Clash>& out) {
   std::vector<std::pair<std::int64_t, int>> areas;
   for (std::size_t i = 0; i < model.items.size(); ++i) {
     const Item& item = model.items[i];
-    // Only what surely covers its outline alone: nothing slides under it and it slides under nothing.
-    const auto close = [&](std::size_t j) { return j != i && model.pair(static_cast<int>(i), static_cast<int>(j)) == PairRule::kSolids; };
-    bool alone = true;
-    for (std::size_t j = 0; j < model.items.size() && alone; ++j) alone = !close(j) || !stands_on_floor_always(model.items[j]);
-    if (left_out[i] || !stands_on_floor_always(item) || item.fixed || !alone) continue;
-    areas.push_back({least_floor(item), static_cast<int>(i)});
+    if (!left_out[i] && stands_on_floor_always(item) && !item.fixed) areas.push_back({least_floor(item), static_cast<int>(i)});
   }
   std::stable_sort(areas.begin(), areas.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  keep_apart(model, areas);
   const std::int64_t room = room_area(model);
   std::int64_t sum = 0, before_door = 0;
   int door = widest_door(model, given_up, before_door);
@@ -202,8 +210,9 @@ void add_too_much(const PlacementModel& model, const std::vector<char>& given_up
     clash.demands.push_back({Demand::Kind::kConstraint, model.items[door].clearance_constraint});
     door_words = fmt::format(", {} keeps {:.2f} m² free before it", object_in_words(model, door), static_cast<double>(before_door) / 1e6);
   }
-  clash.sentence = fmt::format("{} cover{} at least {:.2f} m² of floor{}, and the room has {:.2f} m²", things_in_words(model, items),
-                               items.size() == 1 ? "s" : "", static_cast<double>(sum) / 1e6, door_words, static_cast<double>(room) / 1e6);
+  clash.sentence = fmt::format("{} cover{} at least {:.2f} m² of floor{}, and the room has {:.2f} m², {:.2f} m² less",
+                               things_in_words(model, items), items.size() == 1 ? "s" : "", static_cast<double>(sum) / 1e6, door_words,
+                               static_cast<double>(room) / 1e6, std::max(static_cast<double>(sum + before_door - room) / 1e6, 0.01));
   out.push_back(std::move(clash));
 }
 

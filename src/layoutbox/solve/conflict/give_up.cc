@@ -26,6 +26,12 @@ Result<bool> Solver::give_up_unproven(bool loose, const Placements& loosely) {
   if (search_from_elsewhere()) return true;
   if (!assumptions_left().empty()) {
     if (loose) placements_ = loosely;
+    const std::vector<int> left = assumptions_left();
+    const bool blocks_door = std::ranges::any_of(left, [&](int c) { return is_door_floor(c) && (!loose || is_missed(c)); });
+    if (blocks_door && companions_are_in_the_way()) {
+      LAYOUTBOX_CHECK(companions_make_way());
+      return false;
+    }
     const std::size_t before = left_out_ids_.size();
     LAYOUTBOX_CHECK(yield_assumptions(loose));
     return loose && left_out_ids_.size() == before;  // where companions went, the rest is placed anew
@@ -34,6 +40,8 @@ Result<bool> Solver::give_up_unproven(bool loose, const Placements& loosely) {
     LAYOUTBOX_CHECK(leave_out_least(extras));
     return false;
   }
+  LAYOUTBOX_ASSIGN(const bool made_way, companions_make_way());
+  if (made_way) return false;
   if (++unproven_ > kGuesses && demands_left(Firmness::kHard)) {
     LAYOUTBOX_ASSIGN(const bool settled, settle());
     if (settled) return true;
@@ -221,6 +229,8 @@ Result<bool> Solver::note_conflict(const Clash& clash, bool asked) {
 
 Status Solver::give_up(const Clash& clash) {
   const std::vector<int> objects = objects_to_blame(model_, clash);
+  LAYOUTBOX_ASSIGN(const bool made_way, companions_make_way_for(objects));
+  if (made_way) return {};
   if (!objects.empty() && !floor_gives_way(clash, objects)) return leave_out_least(objects, &clash);
   const auto cheapest = cheapest_of(clash);
   if (cheapest == clash.demands.cend()) return fail(ErrorCode::kNotFound, "no layout was found, and nothing is left to give up");

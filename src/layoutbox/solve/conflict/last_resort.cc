@@ -58,7 +58,7 @@ void Solver::place_openings_first(const PlacementModel& trial, const std::vector
   Placements now(trial.items.size());
   const Dependencies dependencies(trial);
   QuickSearch quick(trial, dependencies, given_up, options_.seed, kAllSizes);
-  Budget budget{0, kLeastSteps, [this] { return interrupted(); }, false};
+  Budget budget{0, kLeastSteps, [this] { return interrupted(); }, false};  // few things: no look at the clock, or there were no room
   quick.complete(now, objects, budget);
   for (std::size_t i = 0; i < trial.items.size(); ++i) {
     if (trial.items[i].is_opening() || placements_[i].state < 0) continue;
@@ -73,23 +73,50 @@ void Solver::place_openings_first(const PlacementModel& trial, const std::vector
 }
 
 // Everything where it goes, as far as it goes; what finds no place has none.
-void Solver::place_what_fits(const PlacementModel& trial, const std::vector<char>& given_up, std::uint64_t seed, double until) {
+void Solver::place_what_fits(const PlacementModel& trial, const std::vector<char>& given_up, const std::vector<char>& left_out,
+                             std::uint64_t seed, double until) {
   Search search(trial, given_up, seed, kAllSizes);
   Budget budget{0, kLeastSteps, [this, until] { return interrupted() || seconds() > until; }, false};
-  const bool all = search.construct(left_out_, 0, budget);
+  const bool all = search.construct(left_out, 0, budget);
   placements_ = search.placements();
-  if (!all && !interrupted()) {  // the rest without a look at what is wished for, nor at the clock: these steps are few
+  if (!all && !interrupted()) {  // the rest without a look at what is wished for: these steps are few
+    const double moment = seconds() + kGrace;
     const Dependencies dependencies(trial);
     QuickSearch quick(trial, dependencies, given_up, seed, kAllSizes);
-    Budget more{0, kLeastSteps, [this] { return interrupted(); }, false};
-    quick.complete(placements_, left_out_, more);
+    Budget more{0, kLeastSteps, [this, moment] { return interrupted() || seconds() > moment; }, false};
+    quick.complete(placements_, left_out, more);
   }
   if (interrupted()) return;
   place_openings_first(trial, given_up);
   drop_what_hangs_in_the_air();
 }
 
-// The items that found no place are marked as left out. Errors: kInterrupted; kNotFound where a door has no place.
+// With what was asked for in its place: as many companions as fit beside it without any of that going.
+void Solver::let_companions_in(const PlacementModel& trial, const std::vector<char>& given_up) {
+  const auto placed = [&](const Placements& placements) {
+    std::ptrdiff_t count = 0;
+    for (std::size_t i = 0; i < placements.size(); ++i) count += placements[i].state >= 0 && !is_companion(static_cast<int>(i));
+    return count;
+  };
+  const Placements without = placements_;
+  const Dependencies dependencies(trial);
+  QuickSearch quick(trial, dependencies, given_up, options_.seed, kAllSizes);
+  Budget budget{0, kLeastSteps, [this] { return must_stop(); }, false};
+  quick.complete(placements_, left_out_, budget);
+  drop_what_hangs_in_the_air();
+  if (placed(placements_) < placed(without)) placements_ = without;
+  std::vector<std::string> gone = left_out_ids_;
+  for (std::size_t i = 0; i < placements_.size(); ++i) {
+    if (placements_[i].state < 0) gone.push_back(model_.items[i].id);
+  }
+  for (const std::string& id : companions_left_alone(asked_, catalog_, gone)) {
+    const int item = model_.find_item(id);
+    if (item >= 0 && is_companion(item)) placements_[static_cast<std::size_t>(item)] = {};
+  }
+  drop_what_hangs_in_the_air();
+}
+
+// Errors: kInterrupted; kNotFound where a door has no place.
 Status Solver::take_what_fits() {
   constexpr int kTries = 6;  // from unlike starts: with which most finds a place
   const bool late = stopped_by_clock_;
@@ -97,31 +124,47 @@ Status Solver::take_what_fits() {
   const std::vector<char> given_up = all_wished(trial);
   const double until = late ? seconds() + kGrace : options_.time_limit_s + kGrace;
   const Placements before = placements_;
+  std::vector<char> left_out = left_out_;
+  for (const int item : companions()) left_out[static_cast<std::size_t>(item)] = 1;
+  const std::ptrdiff_t all = std::ranges::count(left_out, 0);
   Placements best;
   std::ptrdiff_t most = -1;
   for (int t = 0; t < (late ? 1 : kTries) && (best.empty() || seconds() < options_.time_limit_s); ++t) {
     placements_ = before;
-    place_what_fits(trial, given_up, options_.seed + static_cast<std::uint64_t>(t), until);
+    place_what_fits(trial, given_up, left_out, options_.seed + static_cast<std::uint64_t>(t), until);
     if (interrupted()) return fail(ErrorCode::kInterrupted, "stopped");
     const auto placed = std::ranges::count_if(placements_, [](const Placement& p) { return p.state >= 0; });
     if (placed > most) most = placed, best = placements_;
-    if (placed == static_cast<std::ptrdiff_t>(placements_.size())) break;
+    if (placed == all) break;
   }
   placements_ = std::move(best);
-  const std::string because = late ? "no layout of all that is asked for was found before the time was up"
-                                   : "no layout was found in which all that is asked for holds together";
-  Clash clash;
-  clash.proven = clash.minimal = false;
-  clash.sentence = because;
-  bool asked = false;
+  if (left_out != left_out_) let_companions_in(trial, given_up);
+  return note_what_is_missing();
+}
+
+// What found no place is left out, and what does not hold is given up. Errors: kNotFound where a door has no place.
+Status Solver::note_what_is_missing() {
+  std::vector<int> gone;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     if (placements_[i].state >= 0 || left_out_[i]) continue;
     if (model_.items[i].is_opening())
       return fail(ErrorCode::kNotFound, "no place was found for " + object_in_words(model_, static_cast<int>(i)));
-    left_out_[i] = 1;
-    asked = asked || is_asked(static_cast<int>(i));
-    clash.demands.push_back({Demand::Kind::kItem, static_cast<int>(i)});
-    reasons_.push_back({model_.items[i].id, 0, "", object_in_words(model_, static_cast<int>(i)) + " is left out: " + because});
+    gone.push_back(static_cast<int>(i));
+  }
+  const std::string because = stopped_by_clock_ ? "no layout of all that is asked for was found before the time was up"
+                                                : "no layout was found in which all that is asked for holds together";
+  std::vector<int> dear;
+  std::ranges::copy_if(gone, std::back_inserter(dear), [&](int i) { return !is_companion(i); });
+  Clash clash;
+  clash.proven = clash.minimal = false;
+  clash.sentence = too_little_floor(dear).value_or(because);
+  bool asked = false;
+  for (const int item : gone) {
+    left_out_[static_cast<std::size_t>(item)] = 1;
+    asked = asked || is_asked(item);
+    if (!is_companion(item)) clash.demands.push_back({Demand::Kind::kItem, item});
+    reasons_.push_back(
+        {model_.items[static_cast<std::size_t>(item)].id, 0, "", object_in_words(model_, item) + " is left out: " + clash.sentence});
   }
   std::vector<std::string> missed;
   for (std::size_t c = 0; c < model_.constraints.size(); ++c) {

@@ -57,24 +57,48 @@ Status Solver::leave_out_least(std::vector<int> items, const Clash* clash) {
   return relaxing ? leave_out(best, conflicts_.back().conflict.sentence) : Status{};
 }
 
+// The last that went first; companions after all that was asked for, and none where there is not even floor before a door.
+std::vector<std::string> Solver::may_be_brought_back() const {
+  std::vector<std::string> asked(left_out_ids_.rbegin(), left_out_ids_.rend()), added;
+  if (made_way_) {
+    for (const SceneObject& object : asked_.objects) {
+      if (object.origin == Origin::kAdded && std::erase(asked, object.id) > 0) added.push_back(object.id);
+    }
+    for (std::size_t c = 0; c < model_.constraints.size(); ++c) {
+      if (given_up_[c] && is_door_floor(static_cast<int>(c))) added.clear();
+    }
+  }
+  // Where one went after the other there was no layout without the last: that is why it went.
+  if (!shed_ && !asked.empty()) asked.erase(asked.begin());
+  asked.insert(asked.end(), added.begin(), added.end());
+  return asked;
+}
+
 // What was left out before and finds a place now after all comes back.
 Result<bool> Solver::bring_back() {
+  constexpr int kMostInVain = 3;  // trials with companions of one kind
   bool any = false;
-  // Where one went after the other there was no layout without the last: that is why it went.
-  for (std::size_t i = left_out_ids_.size(); i-- > (shed_ ? 0 : 1) && !enough();) {
+  std::map<std::string, int> in_vain;
+  for (const std::string& back : may_be_brought_back()) {
+    if (enough()) break;
     std::vector<std::string> fewer = left_out_ids_;
-    const std::size_t which = shed_ ? i : i - 1;
-    const std::string back = fewer[which];
-    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(which));
+    std::erase(fewer, back);
+    const SceneObject& object = *asked_.find_object(back);
+    if (object.origin == Origin::kAdded) {
+      const std::vector<std::string> alone = companions_left_alone(asked_, catalog_, fewer);
+      if (std::ranges::find(alone, back) != alone.end() || in_vain[object.category]++ >= kMostInVain) continue;
+    }
     const LessScene less = without_objects(asked_, fewer);
     const Result<PlacementModel> model = build_model(less.scene, catalog_, guides());
     if (!model) continue;
     Search search(*model, given_up_in(*model), options_.seed, kAllSizes);
     Budget budget = part(budgets_.trial);
     if (!search.construct(std::vector<char>(model->items.size(), 0), kRestarts, budget)) continue;
+    in_vain[object.category] = 0;
     left_out_ids_ = std::move(fewer);
     std::erase_if(reasons_, [&](const Relaxation& r) { return r.relation == back; });
     LAYOUTBOX_CHECK(rebuild());
+    brought_ = search.placements();
     any = true;
   }
   return any;
@@ -99,6 +123,7 @@ Status Solver::leave_out(int item, const std::string& why) {
 
 // The model of what is left of the scene, with the same given up as before.
 Status Solver::rebuild() {
+  leave_out_the_lonely();
   LessScene less = without_objects(asked_, left_out_ids_);
   less_scene_ = std::make_unique<SceneGraph>(std::move(less.scene));
   lost_ = std::move(less.lost);

@@ -30,6 +30,9 @@ struct LessScene {
 // The scene without these objects; relations keep the members that are left.
 LessScene without_objects(const SceneGraph& scene, const std::vector<std::string>& ids);
 
+// The companions (what came unasked for) that have lost all that they came with once `gone` are left out.
+std::vector<std::string> companions_left_alone(const SceneGraph& scene, const Catalog& catalog, std::vector<std::string> gone);
+
 // Nothing was found for all of these, and nothing proven: how much there is, and how much room.
 std::string too_much_in_words(const PlacementModel& model);
 

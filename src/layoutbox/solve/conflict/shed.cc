@@ -105,11 +105,20 @@ Status Solver::note_crowd(const std::vector<Clash>& sums) {
   return {};
 }
 
+// Where the least sizes of all together are more than the floor: how much, and without what the rest has a place.
+std::optional<std::string> Solver::too_little_floor(const std::vector<int>& without) const {
+  const Floor floor = floor_of(model_);
+  if (floor.surplus(1.0) <= 0 || without.empty()) return std::nullopt;
+  return fmt::format("{}; without {} the rest has a place", need_in_words(model_, floor), things_in_words(model_, without));
+}
+
 // True: something was left out.
 Result<bool> Solver::shed(const std::vector<Clash>& sums) {
   if (options_.on_conflict != OnConflict::kRelax) return false;
   const std::vector<int> items = surplus_items();
   if (items.size() < 2) return false;  // one is found, and said, by itself
+  LAYOUTBOX_ASSIGN(const bool made_way, companions_make_way_for(items));
+  if (made_way) return true;
   LAYOUTBOX_CHECK(note_crowd(sums));
   Clash clash;
   clash.minimal = false;
@@ -132,7 +141,13 @@ Result<bool> Solver::shed(const std::vector<Clash>& sums) {
 // Where things were left out for want of floor, all reasons say the same: what is asked for, what there is, and without what all else fits.
 void Solver::sum_up_shedding() {
   if (!shed_ || left_out_ids_.empty()) return;
-  const Result<PlacementModel> whole = build_model(asked_, catalog_, guides());
+  // Of companions that made way for it nobody needs to hear.
+  std::vector<std::string> companions;
+  for (const std::string& id : left_out_ids_) {
+    if (made_way_ && asked_.find_object(id)->origin == Origin::kAdded) companions.push_back(id);
+  }
+  const LessScene less = without_objects(asked_, companions);
+  const Result<PlacementModel> whole = build_model(less.scene, catalog_, guides());
   if (!whole) return;
   std::vector<int> gone;
   for (const std::string& id : left_out_ids_) {

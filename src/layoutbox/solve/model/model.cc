@@ -129,12 +129,18 @@ void let_before_windows(PlacementModel& model) {
   }
 }
 
+// Both are where they are said to be, one beside the other in one wall: they may touch, which those that are placed do not.
+bool are_said_apart(const Opening& a, const Opening& b) {
+  if (a.wall.empty() || a.wall != b.wall || !a.offset || !b.offset) return false;
+  return *a.offset + a.width <= *b.offset || *b.offset + b.width <= *a.offset;
+}
+
 void set_pair_rules(PlacementModel& model) {
   const std::size_t n = model.items.size();
   model.pairs.assign(n * n, PairRule::kBoxes);
   const auto rule_of = [&](const Item& a, const Item& b) {
     if (lies_under(a) || lies_under(b)) return PairRule::kFree;
-    if (a.is_opening() && b.is_opening()) return PairRule::kOpenings;
+    if (a.is_opening() && b.is_opening()) return are_said_apart(*a.opening, *b.opening) ? PairRule::kFree : PairRule::kOpenings;
     const bool window =
         (a.is_opening() && a.opening->type == OpeningType::kWindow) || (b.is_opening() && b.opening->type == OpeningType::kWindow);
     if (window && (a.curtain || b.curtain)) return PairRule::kFree;

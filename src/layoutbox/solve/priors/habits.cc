@@ -5,6 +5,19 @@
 
 namespace layoutbox::placement {
 
+Habits::Habits(PlacementModel& model) : model_(model), said_of_(model.items.size()) {
+  for (const Relation& relation : model.scene->relations) {
+    for (const auto* ids : {&relation.targets, &relation.references}) {
+      for (const std::string& id : *ids) {
+        const int item = model.find_item(id);
+        if (item < 0) continue;
+        auto& said = said_of_[static_cast<std::size_t>(item)];
+        if (said.empty() || said.back() != &relation) said.push_back(&relation);
+      }
+    }
+  }
+}
+
 void Habits::add(int index) {
   const Item& item = model_.items[index];
   if (item.is_opening()) {
@@ -121,8 +134,8 @@ bool Habits::related(int a, int b) const {
     return std::find(ids.begin(), ids.end(), id) != ids.end();
   };
   const std::string &x = model_.items[a].id, &y = model_.items[b].id;
-  return std::any_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
-    return (has(r.targets, x) && has(r.references, y)) || (has(r.targets, y) && has(r.references, x));
+  return std::ranges::any_of(said_of(a), [&](const Relation* r) {
+    return (has(r->targets, x) && has(r->references, y)) || (has(r->targets, y) && has(r->references, x));
   });
 }
 
@@ -131,24 +144,23 @@ bool Habits::only_related_by(int a, int b, std::initializer_list<RelationType> t
     return std::find(ids.begin(), ids.end(), id) != ids.end();
   };
   const std::string &x = model_.items[a].id, &y = model_.items[b].id;
-  return std::none_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
-    const bool both = (has(r.targets, x) && has(r.references, y)) || (has(r.targets, y) && has(r.references, x));
-    return both && std::find(types.begin(), types.end(), r.type) == types.end();
+  return std::ranges::none_of(said_of(a), [&](const Relation* r) {
+    const bool both = (has(r->targets, x) && has(r->references, y)) || (has(r->targets, y) && has(r->references, x));
+    return both && std::find(types.begin(), types.end(), r->type) == types.end();
   });
 }
 
 bool Habits::related_as_target(int item, int reference, RelationType type) const {
   const std::string &x = model_.items[item].id, &y = model_.items[reference].id;
-  return std::any_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
-    return r.type == type && std::find(r.targets.begin(), r.targets.end(), x) != r.targets.end() &&
-           std::find(r.references.begin(), r.references.end(), y) != r.references.end();
+  return std::ranges::any_of(said_of(item), [&](const Relation* r) {
+    return r->type == type && std::ranges::find(r->targets, x) != r->targets.end() &&
+           std::ranges::find(r->references, y) != r->references.end();
   });
 }
 
 bool Habits::placed_by_relation(int item) const {
-  return std::any_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
-    return std::find(r.targets.begin(), r.targets.end(), model_.items[item].id) != r.targets.end();
-  });
+  return std::ranges::any_of(said_of(item),
+                             [&](const Relation* r) { return std::ranges::find(r->targets, model_.items[item].id) != r->targets.end(); });
 }
 
 // A table for children or toys that nobody there sits at, beside the sofa's group: not in the middle of it.

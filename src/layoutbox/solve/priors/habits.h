@@ -28,7 +28,7 @@ std::uint64_t states_looking(const Item& item, Direction direction);
 
 class Habits {
  public:
-  explicit Habits(PlacementModel& model) : model_(model) {}
+  explicit Habits(PlacementModel& model);
   void add(int index);
   void spread();
 
@@ -38,6 +38,8 @@ class Habits {
   Constraint& habit(const std::string& what, int item, int weight, Formula formula, std::vector<int> hosts = {});
   std::vector<int> items_of_kinds(const std::vector<std::string>& kinds, int except) const;
   int rank_of(int item) const;
+  // The relations of the scene that speak of it.
+  const std::vector<const Relation*>& said_of(int item) const { return said_of_[static_cast<std::size_t>(item)]; }
   bool related(int a, int b) const;
   bool only_related_by(int a, int b, std::initializer_list<RelationType> types) const;
   bool related_as_target(int item, int reference, RelationType type) const;
@@ -222,6 +224,7 @@ class Habits {
   bool stand_as_twin(int item);
 
   PlacementModel& model_;
+  std::vector<std::vector<const Relation*>> said_of_;        // by item
   std::optional<std::vector<std::vector<int>>> formations_;  // all there are, once somebody asked
 };
 

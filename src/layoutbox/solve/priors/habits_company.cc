@@ -9,7 +9,8 @@ namespace layoutbox::placement {
 
 // Several of a kind before or behind one thing stand abreast: chairs behind a news desk, cameras before it.
 bool Habits::stand_abreast(int item) {
-  for (const Relation& r : model_.scene->relations) {
+  for (const Relation* said : said_of(item)) {
+    const Relation& r = *said;
     const Item& self = model_.items[item];
     const bool free = !self.is(Trait::kTableSeat) && !self.entry->back_to_wall;
     const bool abreast = r.type == RelationType::kInFrontOf || r.type == RelationType::kBehind ||
@@ -65,7 +66,8 @@ bool Habits::stand_abreast_of(int item, int host, RelationType how) {
 void Habits::stand_at_side(int item) {
   const Item& self = model_.items[item];
   if (self.is(Trait::kTableSeat) || before_its_host(item)) return;
-  for (const Relation& r : model_.scene->relations) {
+  for (const Relation* said : said_of(item)) {
+    const Relation& r = *said;
     if (r.type != RelationType::kNextTo || r.references.size() != 1) continue;
     const int host = model_.find_item(r.references[0]);
     if (host >= 0 && self.is(Trait::kEasySeat) && !model_.items[host].is(Trait::kBed)) continue;

@@ -96,18 +96,18 @@ bool Habits::fits_islands(int item) const {
 
 // Does a relation say which way it looks?
 bool Habits::told_where_to_look(int item) const {
-  return std::any_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
-    return (r.type == RelationType::kFacing || r.type == RelationType::kSameOrientation) &&
-           std::find(r.targets.begin(), r.targets.end(), model_.items[item].id) != r.targets.end();
+  return std::ranges::any_of(said_of(item), [&](const Relation* r) {
+    return (r->type == RelationType::kFacing || r->type == RelationType::kSameOrientation) &&
+           std::ranges::find(r->targets, model_.items[item].id) != r->targets.end();
   });
 }
 
 // Does a relation say where it stands, not only which way it looks?
 bool Habits::placed_besides_facing(int item) const {
-  return std::any_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
+  return std::ranges::any_of(said_of(item), [&](const Relation* r) {
     const bool turns_only =
-        r.type == RelationType::kFacing || r.type == RelationType::kSameOrientation || r.type == RelationType::kParallel;
-    return !turns_only && std::find(r.targets.begin(), r.targets.end(), model_.items[item].id) != r.targets.end();
+        r->type == RelationType::kFacing || r->type == RelationType::kSameOrientation || r->type == RelationType::kParallel;
+    return !turns_only && std::ranges::find(r->targets, model_.items[item].id) != r->targets.end();
   });
 }
 
@@ -165,11 +165,11 @@ void Habits::stand_before_crowd(int faced) {
 
 // What a crowd looks at stands clear of its first row.
 void Habits::keep_off_faced(int item) {
-  for (const Relation& r : model_.scene->relations) {
-    if (r.type != RelationType::kFacing || r.references.size() != 1 || !related_as_target(item, model_.find_item(r.references[0]), r.type))
-      continue;
+  for (const Relation* said : said_of(item)) {
+    const Relation& r = *said;
+    if (r.type != RelationType::kFacing || r.references.size() != 1) continue;
     const int faced = model_.find_item(r.references[0]);
-    if (faced < 0 || model_.items[faced].is_opening()) continue;
+    if (faced < 0 || model_.items[faced].is_opening() || !related_as_target(item, faced, r.type)) continue;
     stand_before_crowd(faced);
     if (model_.items[faced].mount != Mount::kFloor) continue;
     Formula f;

@@ -345,9 +345,9 @@ std::uint64_t Habits::states_facing(int item, const RoomWall& wall) const {
 }
 
 bool Habits::placed_by_relation_besides_walls(int item) const {
-  return std::any_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
-    const bool target = std::find(r.targets.begin(), r.targets.end(), model_.items[item].id) != r.targets.end();
-    return target && r.type != RelationType::kOnWall && r.type != RelationType::kAgainstWall;
+  return std::ranges::any_of(said_of(item), [&](const Relation* r) {
+    const bool target = std::ranges::find(r->targets, model_.items[item].id) != r->targets.end();
+    return target && r->type != RelationType::kOnWall && r->type != RelationType::kAgainstWall;
   });
 }
 

@@ -148,16 +148,27 @@ void add_case(Formula& f, Compilation& c, int r, int table_turn, std::uint64_t t
   f.cases.push_back(std::move(in));
 }
 
-// Seats on a circle at multiples of 15°, turned to the middle; the circle as small as the seats' boxes allow.
+// With both at their usual sizes: does a seat whose middle is so far off the table's stand in it?
+bool stands_in(const Compilation& c, int seat, std::uint64_t facing, int table, const Mm (&off)[2]) {
+  const State &s = c.item(seat).states[static_cast<std::size_t>(std::countr_zero(facing))], &t = c.item(table).states[0];
+  Placement of_seat{std::countr_zero(facing), {}}, of_table{0, {}};
+  for (int axis = 0; axis < 2; ++axis) of_seat.at[axis] = off[axis] + (t.extent[axis] - s.extent[axis]) / 2;
+  return collide(c.model, seat, of_seat, table, of_table, false);
+}
+
+// Seats on a circle at multiples of 15°, turned to the middle; the circle as small as the seats' boxes allow. Who comes first takes the
+// smallest: one on which another would stand in the table is offered only where all are so.
 void add_circle(Formula& f, Compilation& c, int r, Mm most) {
   const Item& table = c.item(r);
   const int n = static_cast<int>(c.targets.size());
   const Size& size = table.states[0].size;
+  std::vector<Case> narrow;
+  const std::size_t before = f.cases.size();
   for (const int shift : {0, 15, 30, 45}) {
     for (const Mm extra : {0, 100, 200, 300}) {
       Case in;
       in.price = extra / 2 + (shift % 45 ? 10 : 0);
-      bool possible = true;
+      bool possible = true, free = true;
       for (int k = 0; k < n && possible; ++k) {
         const int angle = (static_cast<int>(std::lround(360.0 * k / n / 15)) * 15 + shift) % 360;  // where it stands: 0 = front
         const int t = c.targets[k];
@@ -175,15 +186,19 @@ void add_circle(Formula& f, Compilation& c, int r, Mm most) {
         const double x = std::sin(radians_from_degrees(angle)) * away, y = -std::cos(radians_from_degrees(angle)) * away;
         const Mm place[2] = {static_cast<Mm>(std::lround(x)), static_cast<Mm>(std::lround(y))};
         const Mm play2 = std::min<Mm>(60, static_cast<Mm>(away) / 5);  // so little that it still looks at the middle
+        Mm outer[2];
+        for (int axis = 0; axis < 2; ++axis) outer[axis] = place[axis] + (place[axis] > 0 ? play2 / 2 : place[axis] < 0 ? -play2 / 2 : 0);
+        free = free && !stands_in(c, t, facing, r, outer);
         for (int axis = 0; axis < 2; ++axis) {
           const Linear off = mid2(t, axis) - mid2(r, axis) - Linear(2 * place[axis]);
           in.require_small(off, play2).wish(off, 50, 2);
         }
         in.require(Linear(most) - gap_towards(t, r, {1, angle < 90 || angle > 270 ? -1 : 1}));
       }
-      if (possible) f.cases.push_back(std::move(in));
+      if (possible) (free ? f.cases : narrow).push_back(std::move(in));
     }
   }
+  if (f.cases.size() == before) std::ranges::move(narrow, std::back_inserter(f.cases));
 }
 
 bool is_round(const Item& table) {

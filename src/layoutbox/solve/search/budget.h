@@ -28,6 +28,12 @@ struct Budget {
     if (whole != nullptr) whole->steps += more;
     if ((before >> 14) != (work >> 14) && stop && stop()) stopped = true;
   }
+  // Work that nobody has to pay for, but that the stop is asked for all the same.
+  void heed(std::int64_t more) {
+    const std::int64_t before = work;
+    work += more;
+    if ((before >> 14) != (work >> 14) && stop && stop()) stopped = true;
+  }
 };
 
 }  // namespace layoutbox::placement

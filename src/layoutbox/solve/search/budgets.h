@@ -22,7 +22,7 @@ struct Budgets {
 // `things`: objects and openings.
 inline Budgets budgets_for(std::int64_t effort, std::size_t things) {
   constexpr std::int64_t kStepsPerUnit = 5000;  // candidate positions tried in about a quarter of a millisecond
-  constexpr std::int64_t kThingsPerEffort = 11, kThingsOfStart = 8, kMany = 30, kLessOfMany = 5, kLeastWeighed = 32;
+  constexpr std::int64_t kThingsPerEffort = 11, kThingsOfStart = 8, kMany = 30, kLessOfMany = 5, kLeastWeighed = 32, kHundreds = 200;
   constexpr std::int64_t kFindingPerUnit = 80'000, kLeastFinding = 4'000'000;
   constexpr double kProofPerUnit = 0.005, kLeastProof = 0.1, kMostProof = 20;
   constexpr std::int64_t kLeastEffortForBest =
@@ -33,11 +33,13 @@ inline Budgets budgets_for(std::int64_t effort, std::size_t things) {
   budgets.search = steps / 2;
   budgets.first = std::max(std::min(budgets.search, kFirstSteps), kLeastSteps);
   budgets.trial = std::max(steps / 4, kLeastSteps);
-  budgets.finding = std::max(effort * kFindingPerUnit, kLeastFinding);
   // The more things, the more moves it takes to bring all to their places, of many not quite so many; a start costs something in any room.
   const auto count = static_cast<std::int64_t>(things);
   const std::int64_t weighed = std::max(kLeastWeighed, count + kThingsOfStart - std::max<std::int64_t>(0, count - kMany) / kLessOfMany);
-  budgets.improvement = 2 * steps * weighed / kThingsPerEffort;
+  budgets.finding = std::max(effort * kFindingPerUnit, kLeastFinding) * weighed / kLeastWeighed;
+  // Of hundreds each step takes the longer the more there are: in all, not more time than so many take.
+  const std::int64_t hundreds = std::max(kHundreds, count);
+  budgets.improvement = 2 * steps * weighed / kThingsPerEffort * kHundreds / hundreds;
   budgets.proof = std::clamp(static_cast<double>(effort) * kProofPerUnit, kLeastProof, kMostProof);
   if (effort >= kLeastEffortForBest) budgets.best_proof = kBestProofPerUnit * static_cast<double>(effort);
   return budgets;

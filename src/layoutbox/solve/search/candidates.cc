@@ -205,6 +205,14 @@ bool CandidateFinder::try_points(Hunt& hunt, int state, std::int64_t size_cost, 
   return false;
 }
 
+// What is wished for is looked at along each axis.
+void CandidateFinder::heed(const CandidateGrid& grid, Budget& budget) const {
+  std::size_t cases = 0, values = 0;
+  for (const SoftFormula& formula : soft_) cases += formula.count;
+  for (const std::vector<Mm>& along : grid.values) values += along.size();
+  budget.heed(static_cast<std::int64_t>(cases * values));
+}
+
 std::vector<Candidate> CandidateFinder::find(const Placements& placements, int item, const CandidateOptions& options, Budget& budget) {
   Hunt hunt{placements, item, options, budget, {}, {}};
   const Item& self = model_.items[item];
@@ -227,6 +235,8 @@ std::vector<Candidate> CandidateFinder::find(const Placements& placements, int i
       obstacles_.gather(placements, item, state, region);
       access_.focus(state, region.lo, region.hi);
       cut(placements, item, state, region, grid);
+      heed(grid, budget);
+      if (budget.stopped) return std::move(hunt.best);
       const std::vector<Point> points = crossings(placements, item, state, region, grid.values, budget);
       grid.tabulate(region, soft_);
       budget.count(50 + static_cast<std::int64_t>(4 * points.size()));

@@ -66,6 +66,7 @@ class CandidateFinder {
   void find_soft(const Placements& placements, int item, int state);
   void offer_neighbours(const Placements& placements, int item, int state, Coordinates& to) const;
   void cut(const Placements& placements, int item, int state, const Region& region, CandidateGrid& grid) const;
+  void heed(const CandidateGrid& grid, Budget& budget) const;
   std::vector<Point> crossings(const Placements& placements, int item, int state, const Region& region,
                                const std::array<std::vector<Mm>, 3>& grid, Budget& budget) const;
   std::int64_t cost_at(const Region& region, const Vec3& at) const;

@@ -164,15 +164,16 @@ bool Search::form_up(const std::vector<int>& places, const Way& way, Budget& bud
     if (stays(model_.items[i]) || std::ranges::find(moved, static_cast<int>(i)) != moved.end()) price[i] = -1;
   }
   std::vector<int> hit;
-  for (std::size_t i = 0; i < moved.size() && all; ++i) {
+  for (std::size_t i = 0; i < moved.size() && all && !budget.stopped; ++i) {
     // What was taken out may have taken one of them along.
     all = placements_[moved[i]].state >= 0 && finder_.collisions(placements_, moved[i], placements_[moved[i]], price, hit);
     for (const int other : hit) {
       if (all && placements_[other].state >= 0) take_out(other, queue);
     }
     budget.count(kStepsOfPlace);
+    budget.heed(static_cast<std::int64_t>(model_.items.size()));
   }
-  all = all && std::ranges::all_of(moved, [&](int item) { return placements_[item].state >= 0 && may_stay(item, placements_[item]); });
+  all = all && std::ranges::all_of(moved, [&](int item) { return placements_[item].state >= 0; }) && may_stay(moved, budget);
   for (std::size_t i = 0; i < queue.size() && all; ++i) all = placements_[queue[i]].state >= 0 || place(queue[i], 0, budget);
   moved.insert(moved.end(), queue.begin(), queue.end());
   if (all && is_better(before, moved, budget)) return true;

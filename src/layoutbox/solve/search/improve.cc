@@ -80,7 +80,7 @@ void Search::improve(Budget& budget, std::int64_t patience, bool sweeps) {
   const auto count = static_cast<std::int64_t>(movable.size());
   const std::vector<std::vector<int>> together = model_.start.empty() ? formations() : std::vector<std::vector<int>>{};
   for (const std::vector<int>& formation : together) {
-    for (int attempt = 0; attempt < kFormationTries && !move(formation, kPoint * 100 * attempt, budget); ++attempt) {
+    for (int attempt = 0; attempt < kFormationTries && !budget.stopped && !move(formation, kPoint * 100 * attempt, budget); ++attempt) {
     }
   }
   std::int64_t idle = 0;

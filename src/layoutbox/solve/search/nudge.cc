@@ -54,8 +54,7 @@ bool Search::shift(const std::vector<int>& cluster, int axis, Mm by, std::int64_
   const Placements before = placements_;
   for (const int member : cluster) placements_[member].at[axis] += by;
   budget.count(kStepsOfNudge * static_cast<std::int64_t>(cluster.size()));
-  const auto stays_right = [&](int member) { return may_stay(member, placements_[member]); };
-  if (std::all_of(cluster.begin(), cluster.end(), stays_right) && is_better(before, cluster, budget, least_gain)) return true;
+  if (may_stay(cluster, budget) && is_better(before, cluster, budget, least_gain)) return true;
   placements_ = before;
   return false;
 }
@@ -67,7 +66,7 @@ bool Search::nudge(int item, Budget& budget) {
   const std::int64_t least_gain = whole ? 1 : kLeastGain;
   if (std::any_of(cluster.begin(), cluster.end(), [&](int m) { return stays(model_.items[m]); })) return false;
   bool any = false;
-  for (Mm by = kLongest; by > 0; by /= 2) {
+  for (Mm by = kLongest; by > 0 && !budget.stopped; by /= 2) {
     for (const int axis : {0, 1})
       any = shift(cluster, axis, by, least_gain, budget) || shift(cluster, axis, -by, least_gain, budget) || any;
   }

@@ -53,8 +53,12 @@ RegionFinder::RegionFinder(const PlacementModel& model, std::vector<char> given_
     : model_(model), given_up_(std::move(given_up)), left_out_(model.items.size(), 0), most_size_step_(most_size_step) {
   given_up_.resize(model.constraints.size(), 0);
   share_out();
-  narrowing_ = kMostNarrowing;
-  narrow_domains();
+  for (const Item& item : model_.items) domains_.push_back(widest_domain(item));
+}
+
+void RegionFinder::watch(Budget* budget) {
+  budget_ = budget;
+  if (budget_ != nullptr && !std::exchange(narrowed_, true)) narrow_domains();
 }
 
 // A formula with one case is a list of demands, each of which is looked at when the last thing it speaks of is placed: a grid of hundreds.
@@ -82,10 +86,7 @@ void RegionFinder::share_out() {
 
 // False: enough of it.
 bool RegionFinder::toil(std::size_t more) {
-  if (budget_ == nullptr) {
-    narrowing_ -= static_cast<std::int64_t>(more);
-    return true;
-  }
+  if (budget_ == nullptr) return true;
   budget_->toil(static_cast<std::int64_t>(more));
   return !budget_->stopped;
 }
@@ -134,16 +135,22 @@ Domain RegionFinder::narrower_domain(int item, const Placements& nowhere) {
   return all;
 }
 
-// Bounds that follow from the constraints, found by going over all items a few times.
+// Bounds that follow from the constraints, found by going over all items a few times, whatever is left out. It is no part of the work of
+// the search, but ends with it.
 void RegionFinder::narrow_domains() {
   const Placements nowhere(model_.items.size());
-  for (const Item& item : model_.items) domains_.push_back(widest_domain(item));
+  Budget own{0, 0, budget_->stop, budget_->stopped};
+  Budget* const of_search = std::exchange(budget_, &own);
+  const std::vector<char> left_out = std::exchange(left_out_, std::vector<char>(model_.items.size(), 0));
   for (int round = 0; round < kNarrowings; ++round) {
-    for (std::size_t i = 0; i < domains_.size(); ++i) {
-      if (narrowing_ < 0) return;
+    for (std::size_t i = 0; i < domains_.size() && own.work <= kMostNarrowing && !own.stopped; ++i) {
       if (is_linked(static_cast<int>(i))) domains_[i] = narrower_domain(static_cast<int>(i), nowhere);
     }
   }
+  left_out_ = left_out;
+  budget_ = of_search;
+  budget_->work += own.work;
+  budget_->stopped = budget_->stopped || own.stopped;
 }
 
 bool RegionFinder::enforced(int constraint) const {

@@ -83,8 +83,8 @@ class RegionFinder {
   // By item: not there at all; what speaks of them cannot hold.
   void leave_out(const std::vector<char>& items) { left_out_ = items; }
 
-  // Once its stop has come nothing is found any more. Null: there is none. Kept by the caller.
-  void watch(Budget* budget) { budget_ = budget; }
+  // Once its stop has come nothing is found any more. Null: there is none. Kept by the caller. With the first the domains are narrowed.
+  void watch(Budget* budget);
 
   bool enforced(int constraint) const;
   // Is the constraint before the doors and windows given up for this opening?
@@ -117,7 +117,7 @@ class RegionFinder {
   std::vector<Domain> domains_;
   std::map<std::pair<int, int>, Shares> shares_;  // of formulas with one long case, by constraint and formula
   Budget* budget_ = nullptr;
-  std::int64_t narrowing_ = 0;  // work left while domains are narrowed
+  bool narrowed_ = false;  // the domains, which takes time: not before there is a budget
   std::vector<std::vector<Reduced>>
       pool_;  // per enforced formula, its cases that are possible; kept for their room, the first `pools_` count
   std::size_t pools_ = 0;

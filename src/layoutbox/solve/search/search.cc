@@ -102,11 +102,33 @@ bool Search::try_order(const std::vector<int>& order, std::int64_t noise, Budget
   return failed_.empty();
 }
 
-// Is the room there free, and does all that is asked of it hold, as far as the others are placed?
-bool Search::may_stay(int item, const Placement& placement) const {
+bool Search::is_free(int item, const Placement& placement) const {
   const GridBox box = box_of(model_.items[item], placement);
   if (!model_.items[item].is_opening() && !(intersection(box, model_.room) == box)) return false;
-  if (!finder_.legal(placements_, item, placement)) return false;
+  return finder_.legal(placements_, item, placement);
+}
+
+// The same of several where they stand; what they share is looked at once.
+bool Search::may_stay(const std::vector<int>& group, Budget& budget) const {
+  std::vector<int> constraints;
+  for (const int item : group) {
+    budget.heed(static_cast<std::int64_t>(model_.items.size()));
+    if (budget.stopped || !is_free(item, placements_[item])) return false;
+    constraints.insert(constraints.end(), model_.touching[item].begin(), model_.touching[item].end());
+  }
+  std::ranges::sort(constraints);
+  const auto repeated = std::ranges::unique(constraints);
+  constraints.erase(repeated.begin(), repeated.end());
+  return std::ranges::all_of(constraints, [&](int c) {
+    return !finder_.enforced(c) || std::ranges::all_of(model_.constraints[c].formulas, [&](const Formula& formula) {
+      return !formula.cases.empty() && !(all_placed(formula, placements_) && miss_of(model_, formula, placements_) > 0);
+    });
+  });
+}
+
+// Is the room there free, and does all that is asked of it hold, as far as the others are placed?
+bool Search::may_stay(int item, const Placement& placement) const {
+  if (!is_free(item, placement)) return false;
   Placements probe = placements_;
   probe[item] = placement;
   for (const int c : model_.touching[item]) {
@@ -257,7 +279,7 @@ bool Search::move(const std::vector<int>& group, std::int64_t noise, Budget& bud
   const Placements before = placements_;
   for (const int member : group) placements_[member] = {};
   bool all = true;
-  for (const int member : group) all = all && place(member, noise, budget);
+  for (const int member : group) all = all && !budget.stopped && place(member, noise, budget);
   if (all && is_better(before, group, budget)) return true;
   placements_ = before;
   return false;
@@ -342,7 +364,7 @@ bool Search::shake(Budget& budget) {
     take_out(all[static_cast<std::size_t>(random_.below(static_cast<std::int64_t>(all.size())))], out);
   const std::int64_t noise = kPoint * (1 + random_.below(kNoiseOfShaking));
   for (const int item : placing_order(model_, dependencies_, left_out_, bonus_)) {
-    if (placements_[item].state >= 0 || place(item, noise, budget)) continue;
+    if (placements_[item].state >= 0 || (!budget.stopped && place(item, noise, budget))) continue;
     placements_ = before;
     return false;
   }

@@ -87,6 +87,8 @@ class Search {
   bool slide(int item, Budget& budget);
   bool push_away(std::vector<int>& moved, std::vector<int> in_way, const std::vector<std::int64_t>& price);
   bool may_stay(int item, const Placement& placement) const;
+  bool may_stay(const std::vector<int>& group, Budget& budget) const;
+  bool is_free(int item, const Placement& placement) const;
   bool place(int item, std::int64_t noise, Budget& budget);
   bool watched_fit(int item, Budget& budget);
   bool repair(Budget& budget);

@@ -1,0 +1,142 @@
+// Companions: what came unasked for with another thing is the first to give way, and goes with what it came with.
+#include <fmt/format.h>
+
+#include "layoutbox/catalog/catalog.h"
+#include "layoutbox/solve/conflict/relax.h"
+#include "layoutbox/solve/solving.h"
+
+namespace layoutbox::placement {
+namespace {
+
+bool has(const std::vector<std::string>& ids, const std::string& id) { return std::ranges::find(ids, id) != ids.end(); }
+
+bool came(const SceneObject& object) { return object.origin == Origin::kAdded; }
+
+// What it stands at, on or behind though nobody said so.
+std::vector<std::string> hosts_of(const SceneGraph& scene, const SceneObject& companion) {
+  std::vector<std::string> hosts;
+  for (const Relation& relation : scene.relations) {
+    if (!relation.asked() && has(relation.targets, companion.id))
+      hosts.insert(hosts.end(), relation.references.begin(), relation.references.end());
+  }
+  return hosts;
+}
+
+// Those of its kind share out what such things usually stand by: is none left for it?
+bool has_no_share(const SceneGraph& scene, const Catalog& catalog, const SceneObject& companion, const std::vector<std::string>& gone) {
+  const CatalogEntry* entry = catalog.find(companion.category);
+  if (entry == nullptr) return false;
+  std::size_t hosts = 0, hosts_left = 0, all = 0, before = 0, rank = 0;
+  for (const SceneObject& object : scene.objects) {
+    const bool left = !has(gone, object.id);
+    if (object.category == companion.category) {
+      if (!came(object) || !hosts_of(scene, object).empty()) continue;
+      if (object.id == companion.id) rank = before;
+      ++all, before += left;
+    } else if (std::ranges::any_of(entry->beside, [&](const std::string& kind) { return catalog.is_a(object.category, kind); })) {
+      ++hosts, hosts_left += left;
+    }
+  }
+  return hosts > 0 && rank * hosts >= all * hosts_left;
+}
+
+}  // namespace
+
+std::vector<std::string> companions_left_alone(const SceneGraph& scene, const Catalog& catalog, std::vector<std::string> gone) {
+  std::vector<std::string> alone;
+  for (bool again = true; again;) {
+    again = false;
+    for (const SceneObject& object : scene.objects) {
+      if (!came(object) || has(gone, object.id)) continue;
+      const std::vector<std::string> hosts = hosts_of(scene, object);
+      const bool lost = hosts.empty() ? has_no_share(scene, catalog, object, gone)
+                                      : std::ranges::all_of(hosts, [&](const std::string& host) { return has(gone, host); });
+      if (!lost) continue;
+      alone.push_back(object.id);
+      gone.push_back(object.id);
+      again = true;
+    }
+  }
+  return alone;
+}
+
+bool Solver::is_companion(int item) const {
+  const Item& one = model_.items[static_cast<std::size_t>(item)];
+  return !one.is_opening() && !one.fixed && !one.locked && came(*one.object);
+}
+
+// The things that came unasked for with what they stand by, where that is what the constraint says; else none.
+std::vector<std::string> Solver::companions_placed_by(const Constraint& constraint) const {
+  if (constraint.relation < 0) return {};
+  const Relation& relation = scene().relations[static_cast<std::size_t>(constraint.relation)];
+  const auto came = [&](const std::string& id) {
+    const SceneObject* object = scene().find_object(id);
+    return object != nullptr && object->origin == Origin::kAdded;
+  };
+  if (relation.origin != Origin::kAdded || !std::all_of(relation.targets.begin(), relation.targets.end(), came)) return {};
+  return relation.targets;
+}
+
+// A chair that came with a desk and finds no place there is of no use elsewhere: it stays away.
+Status Solver::leave_out_companions(std::vector<std::string> ids) {
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  if (ids.empty()) return {};
+  for (const std::string& id : ids) {
+    const int item = model_.find_item(id);
+    note_lost_by(item);
+    left_out_ids_.push_back(id);
+    reasons_.push_back(
+        {id, 0, "", object_in_words(model_, item) + " is left out: nobody asked for it, and no place was found where it is used"});
+  }
+  return rebuild();
+}
+
+std::vector<int> Solver::companions() const {
+  std::vector<int> items;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    if (is_companion(static_cast<int>(i))) items.push_back(static_cast<int>(i));
+  }
+  return items;
+}
+
+// Before anything that was asked for goes, all companions do, once, and come back in the end where they fit. False: there are none.
+Result<bool> Solver::companions_make_way() {
+  if (made_way_ || companions().empty()) return false;
+  made_way_ = true;
+  for (const int item : companions()) {
+    note_lost_by(item);
+    left_out_ids_.push_back(model_.items[static_cast<std::size_t>(item)].id);
+    reasons_.push_back({left_out_ids_.back(), 0, "",
+                        object_in_words(model_, item) + " is left out: nobody asked for it, and what was asked for leaves no room for it"});
+  }
+  LAYOUTBOX_CHECK(rebuild());
+  return true;
+}
+
+// Where one of these, which are to be left out, is dearer than companions are.
+Result<bool> Solver::companions_make_way_for(const std::vector<int>& items) {
+  const auto is_dearer = [&](int i) { return model_.items[static_cast<std::size_t>(i)].object->origin < Origin::kAdded; };
+  return std::ranges::any_of(items, is_dearer) ? companions_make_way() : Result<bool>(false);
+}
+
+// Does all else find its place without them?
+bool Solver::companions_are_in_the_way() {
+  if (made_way_) return false;
+  std::vector<std::string> ids;
+  for (const int item : companions()) ids.push_back(model_.items[static_cast<std::size_t>(item)].id);
+  return !ids.empty() && unplaced_without(ids) == 0;
+}
+
+// What came with things that are left out goes with them.
+void Solver::leave_out_the_lonely() {
+  for (const std::string& id : companions_left_alone(asked_, catalog_, left_out_ids_)) {
+    const int item = model_.find_item(id);
+    if (item < 0 || !is_companion(item)) continue;
+    note_lost_by(item);
+    left_out_ids_.push_back(id);
+    reasons_.push_back({id, 0, "", object_in_words(model_, item) + " is left out: so is what it came with"});
+  }
+}
+
+}  // namespace layoutbox::placement
