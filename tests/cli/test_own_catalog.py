@@ -112,4 +112,4 @@ class OwnRoom(CliTestCase):
         run = self.run_layoutbox("generate", prompt, "--room", "1.5x1.5x2.5", "--no-render", "-o", self.path("out"))
         self.assert_status(run, NOT_AS_ASKED)
         self.assertIn("bed", run.err)
-        self.assertIn("the room has 2.2 m²", run.err)
+        self.assertIn("does not fit into the room, which measures 1.50 × 1.50", run.err)
