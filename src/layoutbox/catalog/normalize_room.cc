@@ -275,6 +275,27 @@ class RoomNormalizer {
       fit_assumed(opening, wanted > opening.width ? kShareOfWideWindow : kShareOfWindow,
                   std::max(opening.width, std::min(wanted, kWidestWindow)));
     }
+    for (const Wall& wall : room_.walls) share_wall(wall);
+  }
+
+  // Several windows of one wall that are together wider than it share it alike.
+  void share_wall(const Wall& wall) {
+    constexpr Mm kBetween = 100, kLeastWindow = 300;
+    std::vector<Opening*> windows;
+    Mm taken = kBetween;
+    for (Opening& opening : room_.openings) {
+      if (opening.wall != wall.id) continue;
+      taken += kBetween + opening.width;
+      if (opening.type == OpeningType::kWindow && !opening.offset) windows.push_back(&opening);
+    }
+    const Mm over = taken - static_cast<Mm>(length_of(wall));
+    if (over <= 0 || windows.size() < 2) return;
+    for (Opening* window : windows) {
+      const Mm width = (window->width - over / static_cast<Mm>(windows.size())) / kGridMm * kGridMm - kGridMm;
+      context_.note("filled", fmt::format("{} is {} wide, so that all windows of {} fit", window->id, metres_text(width), wall.id),
+                    "/room/openings");
+      window->width = std::max(kLeastWindow, width);
+    }
   }
 
   // In the middle of its wall, or a hand's breadth off the corner that is named.

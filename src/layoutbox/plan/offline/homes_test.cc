@@ -69,6 +69,20 @@ TEST(Homes, AFreeFloorIsNotTheRoom) {
   EXPECT_EQ(planned("20 qm flat with a bed.").room.area_m2, 20.0);
 }
 
+TEST(Homes, WindowsOfANarrowWallShareIt) {
+  const SceneGraph scene = normalized("Pottery studio (8ft by 20ft) with two wheels by the windows on the south side, kiln.");
+  ASSERT_GE(scene.room.openings.size(), 2u);
+  Mm wide = 0;
+  for (const Opening& opening : scene.room.openings) wide += opening.type == OpeningType::kWindow ? opening.width : 0;
+  EXPECT_LT(wide, extent(scene.room).x);
+}
+
+TEST(Homes, ADoorIsKnownByItsName) {
+  const SceneGraph scene =
+      planned("A hall with an entrance on the left wall and a cellar door on the right wall. A bench next to the cellar door.");
+  EXPECT_TRUE(related(scene, RelationType::kNextTo, "bench_1", "door2"));
+}
+
 TEST(Homes, ALongRoomIsEnteredAtANarrowEnd) {
   const SceneGraph scene =
       normalized("Bedroom, 12 m² long and narrow, the door at one short end, the window at the other. Single bed, desk.");
