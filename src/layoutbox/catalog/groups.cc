@@ -83,6 +83,13 @@ std::optional<SizeForSeats> size_for_seats(const Seating& seating, bool round, i
   return SizeForSeats{seats, between(low.width, high.width), std::min(between(low.depth, high.depth), std::max(low.depth, high.depth))};
 }
 
+bool is_round(const SceneObject& object, const CatalogEntry& entry) {
+  const auto top = entry.shape.words.find("top");
+  const bool kind = top != entry.shape.words.end() && top->second == "round";
+  const auto says = [](const std::string& words) { return words == "round" || words == "circular"; };
+  return kind || std::ranges::any_of(object.attributes, says) || object.name.starts_with("round ");
+}
+
 int seats_at_size(const Seating& seating, bool round, const Size& size) {
   const std::vector<SizeForSeats>& rows = round ? seating.round : seating.sizes;
   int seats = seating.seats;

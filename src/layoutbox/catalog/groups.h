@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "layoutbox/catalog/catalog.h"
+#include "layoutbox/scene/scene_graph.h"
 
 namespace layoutbox {
 
@@ -68,6 +69,8 @@ struct Groups {
 // How large that is for so many seats (between the rows in proportion, beyond the last as the last grows); nothing where the data does
 // not say.
 std::optional<SizeForSeats> size_for_seats(const Seating& seating, bool round, int seats);
+// Is it told to be round, or such a thing mostly round (a pub table)?
+bool is_round(const SceneObject& object, const CatalogEntry& entry);
 // How many sit at one of that size; at least 1 where somebody sits there at all.
 int seats_at_size(const Seating& seating, bool round, const Size& size);
 

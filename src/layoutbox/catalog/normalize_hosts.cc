@@ -50,10 +50,6 @@ bool fit_in_rows(std::vector<Size> things, Mm width, Mm depth, int planes) {
   return true;
 }
 
-bool is_round(const SceneObject& object) {
-  return std::ranges::any_of(object.attributes, [](const std::string& a) { return a == "round" || a == "circular"; });
-}
-
 // What is to be on it and in it finds room.
 bool carries_all(const CatalogEntry& entry, const SceneObject& host, const Size& size, const Contents& contents) {
   if (entry.top_carries && !fit_in_rows(contents.on_top, size.width, size.depth, 1)) return false;
@@ -71,7 +67,7 @@ bool carries_all(const CatalogEntry& entry, const SceneObject& host, const Size&
 
 bool holds(const CatalogEntry& entry, const SceneObject& host, const Size& size, const Contents& contents) {
   if (!carries_all(entry, host, size, contents)) return false;
-  const double edge = is_round(host) ? std::numbers::pi * size.width : 2.0 * (size.width + size.depth);
+  const double edge = is_round(host, entry) ? std::numbers::pi * size.width : 2.0 * (size.width + size.depth);
   const Mm width = std::max({contents.front, contents.abreast, (contents.along + 1) / 2 * kSeatWidth});
   return edge >= 1.0 * contents.around * kSeatWidth && size.width >= width;
 }
@@ -127,7 +123,7 @@ void grow_with_seats(const NormalizeContext& context, const CatalogEntry& entry,
   const Seating* seating = Groups::builtin().seating_at(context.catalog, entry, context.scene.room.type);
   const int seats = std::max(contents.around + contents.along, contents.before);
   if (seating == nullptr || seats == 0) return;
-  const auto wanted = size_for_seats(*seating, is_round(host), seats);
+  const auto wanted = size_for_seats(*seating, is_round(host, entry), seats);
   if (!wanted) return;
   if (wanted->width <= host.size->usual.width) return shrink_for_room(context, seats, *wanted, host);
   for (Size* size : {&host.size->usual, &host.size->greatest}) {

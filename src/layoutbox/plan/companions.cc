@@ -13,10 +13,6 @@ namespace {
 
 constexpr int kMostSeats = 24;
 
-bool is_round(const SceneObject& object) {
-  return std::ranges::any_of(object.attributes, [](const std::string& a) { return a == "round" || a == "circular"; });
-}
-
 class Companions {
  public:
   Companions(SceneGraph& scene, const SceneGraph& sized, const std::vector<std::string>& excluded, const Catalog& catalog)
@@ -120,7 +116,7 @@ class Companions {
     // … and seats that follow from how many people there are stand at tables of their own: the teacher's desk has its chair.
     const bool named_only = serves || !names_seat();
     if (seat == nullptr || (named_only ? spoken_.names(*seat) : spoken_.of(*seat)) || has_seat(id) || (!serves && has_loose_seat())) return;
-    const int count = std::min(seats_at_size(*seating, is_round(*sized), sized->size->usual), kMostSeats);
+    const int count = std::min(seats_at_size(*seating, is_round(*sized, *entry), sized->size->usual), kMostSeats);
     std::vector<std::string> seats;
     for (int k = 0; k < count; ++k) seats.push_back(add(*seat));
     if (count > 1) {

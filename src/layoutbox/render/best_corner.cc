@@ -1,6 +1,7 @@
 // From which corner of the room most fronts are seen and least is hidden: rays from sample points of every thing to the camera.
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 
 #include "layoutbox/render/render.h"
@@ -124,7 +125,10 @@ std::string_view name_of(Corner corner) { return kCornerNames.at(static_cast<std
 
 std::optional<Corner> corner_from_name(std::string_view name) {
   for (std::size_t i = 0; i < kCornerNames.size(); ++i) {
-    if (kCornerNames[i] == name) return static_cast<Corner>(i);
+    const auto alike = [](char a, char b) {
+      return std::toupper(static_cast<unsigned char>(a)) == std::toupper(static_cast<unsigned char>(b));
+    };
+    if (std::ranges::equal(kCornerNames[i], name, alike)) return static_cast<Corner>(i);
   }
   return std::nullopt;
 }

@@ -2,6 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
+
 #include "layoutbox/render/render.h"
 
 namespace layoutbox {
@@ -64,8 +67,12 @@ TEST(BestCorner, OneThatIsNamedHolds) {
   EXPECT_EQ(azimuth_from(layout, options), 225);
   options.azimuth_deg = 30;
   EXPECT_EQ(azimuth_from(layout, options), 30);
-  for (const Corner corner : {Corner::kBest, Corner::kNorthEast, Corner::kNorthWest, Corner::kSouthEast, Corner::kSouthWest})
+  for (const Corner corner : {Corner::kBest, Corner::kNorthEast, Corner::kNorthWest, Corner::kSouthEast, Corner::kSouthWest}) {
     EXPECT_EQ(corner_from_name(name_of(corner)), corner);
+    std::string small(name_of(corner));
+    std::ranges::transform(small, small.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    EXPECT_EQ(corner_from_name(small), corner);
+  }
 }
 
 }  // namespace

@@ -3,16 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "layoutbox/catalog/trait_table.h"
+
 namespace layoutbox::offline {
 namespace {
 
 // "a 55-inch TV": the diagonal of a screen of 16:9.
 constexpr double kWidthOfDiagonal = 0.8716, kHeightOfDiagonal = 0.4903;
 
-bool is_screen(const CatalogEntry& entry) { return entry.shape.family == "tv" || entry.shape.family == "monitor"; }
+bool is_screen(const CatalogEntry& entry) { return entry.is(Trait::kScreen) || entry.is(Trait::kMonitor); }
 
-// As wide as it is deep.
-bool is_round(const NounPhrase& noun) {
+bool is_as_wide_as_deep(const NounPhrase& noun) {
   return std::any_of(noun.attributes.begin(), noun.attributes.end(), [](const std::string& a) {
     return one_of(a, {"round", "circular", "square", "hexagonal", "octagonal"});
   });
@@ -29,7 +30,7 @@ SaidSize with_span(SaidSize size, const CatalogEntry& entry, const NounPhrase& n
   }
   if (usual.height > std::max(usual.width, usual.depth)) {
     size.height = span;
-  } else if (is_round(noun)) {
+  } else if (is_as_wide_as_deep(noun)) {
     size.width = size.depth = span;
   } else if (usual.depth > usual.width) {
     size.depth = span;
@@ -45,7 +46,8 @@ SaidSize settled(const NounPhrase& noun, const CatalogEntry& entry) {
   if (size.span) size = with_span(size, entry, noun);
   if (size.length && size.width && !size.depth && usual.depth <= usual.width) size.depth = size.width;  // "2.4 m long, 1 m wide"
   if (size.length) (usual.depth > usual.width ? size.depth : size.width) = size.length;
-  if (is_round(noun) && size.width.has_value() != size.depth.has_value()) size.width = size.depth = size.width ? size.width : size.depth;
+  if (is_as_wide_as_deep(noun) && size.width.has_value() != size.depth.has_value())
+    size.width = size.depth = size.width ? size.width : size.depth;
   const bool turned =
       size.either && size.width && size.depth && usual.width != usual.depth && (*size.width > *size.depth) != (usual.width > usual.depth);
   if (turned) std::swap(size.width, size.depth);

@@ -1,4 +1,5 @@
 #include "layoutbox/solve/priors/seating.h"
+#include "layoutbox/catalog/groups.h"
 
 #include <bit>
 #include <cmath>
@@ -201,14 +202,9 @@ void add_circle(Formula& f, Compilation& c, int r, Mm most) {
   if (f.cases.size() == before) std::ranges::move(narrow, std::back_inserter(f.cases));
 }
 
-bool is_round(const Item& table) {
-  if (!table.entry) return false;
-  const auto top = table.entry->shape.words.find("top");
-  const bool round_kind = top != table.entry->shape.words.end() && top->second == "round";
-  const auto& words = table.object->attributes;
-  const bool said = std::any_of(words.begin(), words.end(), [](const std::string& w) { return w == "round" || w == "circular"; });
+bool is_circle(const Item& table) {
   const Size& size = table.states[0].size;
-  return (round_kind || said || table.object->name.find("round") != std::string::npos) && std::abs(size.width - size.depth) <= 100;
+  return table.entry != nullptr && is_round(*table.object, *table.entry) && std::abs(size.width - size.depth) <= 100;
 }
 
 // The less even, the more crowded and the less usual, the dearer.
@@ -299,7 +295,7 @@ void add_seating(Compilation& c, int r, Mm most, bool circle) {
   f.exact = false;
   Mm seat_width = 0;
   for (const int t : c.targets) seat_width = std::max(seat_width, c.item(t).states[0].size.width);
-  const bool round = (n >= 5 || n == 3) && is_round(table);
+  const bool round = (n >= 5 || n == 3) && is_circle(table);
   if (round) add_circle(f, c, r, most);
   const Size& size = table.states[0].size;
   const int base = round && !f.cases.empty() ? 200 : 0;
