@@ -101,7 +101,8 @@ Result<Fields> fields_of(const nlohmann::json& object) {
       return fail(ErrorCode::kSchema, fmt::format("'{}' is neither text nor a number", key), key);
     }
     // An empty cell of a table is nothing said; here somebody wrote it. An empty prompt has a sentence of its own.
-    if (value == "" && key_for(key) != "prompt")
+    const bool empty = value.is_string() && value.get_ref<const std::string&>().empty();
+    if (empty && key_for(key) != "prompt")
       return fail(ErrorCode::kSchema, fmt::format("'{}' is empty", key), key, "give it a value or leave it out");
     fields[key] = value.is_string() ? value.get<std::string>() : value.dump();
   }

@@ -126,53 +126,68 @@ std::string Lexicon::without_owner(const std::string& key) const {
   return key.ends_with('s') ? key.substr(0, key.size() - 1) : key;
 }
 
+bool Lexicon::may_stand(const Stretch& here, const Entry& entry) const {
+  return here.length == 1 || may_run_together(here.tokens, here.at, here.length, entry);
+}
+
+// As it is listed: `key` and the last word.
+Match Lexicon::find_listed(const std::string& key, const Stretch& here) const {
+  const std::string& last = here.last().text;
+  const Entry* found = words_.find(key + last);
+  if (found == nullptr || !may_stand(here, *found)) return {};
+  Match match{here.length, meanings_of(*found), false};
+  // A plural that is listed as such: "bunk beds" beside "bunk bed".
+  const std::string singular = singular_of(last);
+  const Entry* single = singular == last ? nullptr : words_.find(key + singular);
+  const CatalogEntry* entry = match.meanings.front().entry;
+  match.plural = single != nullptr && entry != nullptr && meanings_of(*single).front().entry == entry;
+  return match;
+}
+
+// … by the singular of the last word.
+Match Lexicon::find_by_singular(const std::string& key, const Stretch& here) const {
+  for (const std::string& form : singular_forms(here.last().text)) {
+    if (form == here.last().text) continue;
+    const Entry* found = words_.find(key + form);
+    if (found != nullptr && has_plural(meanings_of(*found)) && may_stand(here, *found)) return {here.length, meanings_of(*found), true};
+  }
+  return {};
+}
+
+// … a thing whose owner has no 's in the list.
+Match Lexicon::find_owned(const std::string& plain, const Stretch& here) const {
+  for (const std::string& form : {here.last().text, singular_of(here.last().text)}) {
+    const Entry* found = words_.find(plain + form);
+    if (has(found, WordClass::kObject) && may_stand(here, *found)) return {here.length, meanings_of(*found), form != here.last().text};
+  }
+  return {};
+}
+
 Match Lexicon::find(std::span<const Token> tokens, std::size_t at) const {
   constexpr std::size_t kLongest = 6;
   Match best;
   std::string key, plain, several;  // plain: without the 's of an owner; several: "chest of" of "chests of drawers"
   for (std::size_t length = 1; length <= kLongest && at + length <= tokens.size(); ++length) {
-    const Token& token = tokens[at + length - 1];
+    const Stretch here{tokens, at, length};
+    const Token& token = here.last();
     if (token.kind == Token::Kind::kPunctuation && length > 1) break;
     if (token.text == "'s" && length > 1) {  // "children's room", "boys' room"
       plain = without_owner(key);
       if (!key.ends_with('s')) key += 's';
       continue;
     }
-    const auto may_stand = [&](const Entry& entry) { return length == 1 || may_run_together(tokens, at, length, entry); };
-    std::string with_plural = key + token.text;
-    if (const Entry* found = words_.find(with_plural); found != nullptr && may_stand(*found)) {
-      best = {length, meanings_of(*found), false};
-      // A plural that is listed as such: "bunk beds" beside "bunk bed".
-      const std::string singular = singular_of(token.text);
-      const Entry* single = singular == token.text ? nullptr : words_.find(key + singular);
-      const CatalogEntry* entry = best.meanings.front().entry;
-      best.plural = single != nullptr && entry != nullptr && meanings_of(*single).front().entry == entry;
-    }
-    if (best.length != length) {
-      for (const std::string& form : singular_forms(token.text)) {
-        if (form == token.text) continue;
-        if (const Entry* found = words_.find(key + form); found != nullptr && has_plural(meanings_of(*found)) && may_stand(*found)) {
-          best = {length, meanings_of(*found), true};
-          break;
-        }
-      }
-    }
+    Match match = find_listed(key, here);
+    if (match.length == 0) match = find_by_singular(key, here);
     if (!several.empty()) {
       several += token.text;
       const Entry* found = words_.find(several);
-      if (best.length != length && has(found, WordClass::kObject) && may_stand(*found)) best = {length, meanings_of(*found), true};
+      if (match.length == 0 && has(found, WordClass::kObject) && may_stand(here, *found)) match = {length, meanings_of(*found), true};
     }
-    if (!plain.empty() && best.length != length) {
-      for (const std::string& form : {token.text, singular_of(token.text)}) {
-        const Entry* found = words_.find(plain + form);
-        if (!has(found, WordClass::kObject) || !may_stand(*found)) continue;
-        best = {length, meanings_of(*found), form != token.text};
-        break;
-      }
-    }
+    if (!plain.empty() && match.length == 0) match = find_owned(plain, here);
+    if (match.length > 0) best = match;
     if (!plain.empty()) plain += token.text;
     if (token.text == "of" && length == 2) several = several_of(tokens[at].text);
-    key = std::move(with_plural);
+    key += token.text;
   }
   return best;
 }

@@ -206,6 +206,16 @@ class Lexicon {
   bool has(const Entry* entry, WordClass word_class) const;
   std::string without_owner(const std::string& key) const;
   void settle_meanings();
+  // Words of a text: `length` of them from `at`.
+  struct Stretch {
+    std::span<const Token> tokens;
+    std::size_t at, length;
+    const Token& last() const { return tokens[at + length - 1]; }
+  };
+  bool may_stand(const Stretch& here, const Entry& entry) const;
+  Match find_listed(const std::string& key, const Stretch& here) const;
+  Match find_by_singular(const std::string& key, const Stretch& here) const;
+  Match find_owned(const std::string& plain, const Stretch& here) const;
   bool may_run_together(std::span<const Token> tokens, std::size_t at, std::size_t length, const Entry& entry) const;
   void add(std::string_view words, const Meaning& meaning);
   void extend_phrase(std::span<const Token> tokens, std::size_t at, std::size_t i, const std::string& key, PhraseMatch so_far,

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/plan/offline/knowledge.h"
 
 namespace layoutbox::offline {
 namespace {

@@ -31,6 +31,16 @@ int likeness(const NounPhrase& wanted, const NounPhrase& item) {
          (wanted.entry->is(Trait::kKitchenRun) == item.entry->is(Trait::kKitchenRun) ? 1 : 0);
 }
 
+// What is said of it and what was said of the other.
+int qualities_shared(const NounPhrase& wanted, const NounPhrase& item) {
+  int score = 0;
+  for (const std::string& attribute : wanted.attributes) {
+    const auto same = [&](const std::string& own) { return same_quality(own, attribute); };
+    score += std::ranges::any_of(item.attributes, same) ? 3 : -1;
+  }
+  return score;
+}
+
 }  // namespace
 
 bool References::same_kind(const NounPhrase& wanted, const NounPhrase& item) const { return fit(wanted, item) > 0; }
@@ -94,15 +104,9 @@ std::vector<int> References::known(const NounPhrase& noun) const {
   std::vector<int> found;
   for (std::size_t i = document_.items.size(), looked = 0; i-- > 0 && looked < kReach; ++looked) {
     const NounPhrase& item = document_.items[i].noun;
-    int score = fit(noun, item) * 10;
-    if (score == 0) continue;
-    score += likeness(noun, item) + (noun.head == item.head ? 1 : 0);
-    for (const std::string& attribute : noun.attributes) {
-      score +=
-          std::any_of(item.attributes.begin(), item.attributes.end(), [&](const std::string& own) { return same_quality(own, attribute); })
-              ? 3
-              : -1;
-    }
+    const int kind = fit(noun, item);
+    if (kind == 0) continue;
+    const int score = kind * 10 + likeness(noun, item) + (noun.head == item.head ? 1 : 0) + qualities_shared(noun, item);
     const bool all = noun.is_plural() || noun.determiner == Determiner::kEach || noun.ordinal != 0;
     if (!all && score == best_score) continue;
     if (score < best_score) continue;

@@ -157,6 +157,32 @@ bool stands_in(const Compilation& c, int seat, std::uint64_t facing, int table, 
   return collide(c.model, seat, of_seat, table, of_table, false);
 }
 
+// Which states of the seat look to the middle from that angle. At angle 0 it stands before the table and looks to the back: half round
+// from the turn of the table's own front.
+std::uint64_t looks_inwards(const Item& seat, int angle) {
+  std::uint64_t facing = 0;
+  for_each_turn(seat, [&](int turn, std::uint64_t states) {
+    if (turn == (angle + 180) % 360 || !seat.has_front) facing |= states;
+  });
+  return facing;
+}
+
+// One seat at that angle of the circle, so far from the middle. Does it stand clear of the table?
+bool add_to_circle(Case& in, const Compilation& c, int t, int r, int angle, std::uint64_t facing, double away, Mm most) {
+  const double x = std::sin(radians_from_degrees(angle)) * away, y = -std::cos(radians_from_degrees(angle)) * away;
+  const Mm place[2] = {static_cast<Mm>(std::lround(x)), static_cast<Mm>(std::lround(y))};
+  const Mm play2 = std::min<Mm>(60, static_cast<Mm>(away) / 5);  // so little that it still looks at the middle
+  Mm outer[2];
+  in.when(t, facing);
+  for (int axis = 0; axis < 2; ++axis) {
+    outer[axis] = place[axis] + (place[axis] > 0 ? play2 / 2 : place[axis] < 0 ? -play2 / 2 : 0);
+    const Linear off = mid2(t, axis) - mid2(r, axis) - Linear(2 * place[axis]);
+    in.require_small(off, play2).wish(off, 50, 2);
+  }
+  in.require(Linear(most) - gap_towards(t, r, {1, angle < 90 || angle > 270 ? -1 : 1}));
+  return !stands_in(c, t, facing, r, outer);
+}
+
 // Seats on a circle at multiples of 15°, turned to the middle; the circle as small as the seats' boxes allow. Who comes first takes the
 // smallest: one on which another would stand in the table is offered only where all are so.
 void add_circle(Formula& f, Compilation& c, int r, Mm most) {
@@ -174,27 +200,12 @@ void add_circle(Formula& f, Compilation& c, int r, Mm most) {
         const int angle = (static_cast<int>(std::lround(360.0 * k / n / 15)) * 15 + shift) % 360;  // where it stands: 0 = front
         const int t = c.targets[k];
         const Item& seat = c.item(t);
-        // At angle 0 it stands before the table and looks to the back: half round from the turn of the table's own front.
-        std::uint64_t facing = 0;
-        for_each_turn(seat, [&](int turn, std::uint64_t states) {
-          if (turn == (angle + 180) % 360 || !seat.has_front) facing |= states;
-        });
+        const std::uint64_t facing = looks_inwards(seat, angle);
         possible = facing != 0;
         if (!possible) break;
-        in.when(t, facing);
         const double away =
             std::min(size.width, size.depth) / 2.0 + seat.states[0].size.depth * 0.5 - 0.4 * seat.states[0].size.depth + extra;
-        const double x = std::sin(radians_from_degrees(angle)) * away, y = -std::cos(radians_from_degrees(angle)) * away;
-        const Mm place[2] = {static_cast<Mm>(std::lround(x)), static_cast<Mm>(std::lround(y))};
-        const Mm play2 = std::min<Mm>(60, static_cast<Mm>(away) / 5);  // so little that it still looks at the middle
-        Mm outer[2];
-        for (int axis = 0; axis < 2; ++axis) outer[axis] = place[axis] + (place[axis] > 0 ? play2 / 2 : place[axis] < 0 ? -play2 / 2 : 0);
-        free = free && !stands_in(c, t, facing, r, outer);
-        for (int axis = 0; axis < 2; ++axis) {
-          const Linear off = mid2(t, axis) - mid2(r, axis) - Linear(2 * place[axis]);
-          in.require_small(off, play2).wish(off, 50, 2);
-        }
-        in.require(Linear(most) - gap_towards(t, r, {1, angle < 90 || angle > 270 ? -1 : 1}));
+        free = add_to_circle(in, c, t, r, angle, facing, away, most) && free;
       }
       if (possible) (free ? f.cases : narrow).push_back(std::move(in));
     }
