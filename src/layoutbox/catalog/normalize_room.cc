@@ -291,10 +291,10 @@ class RoomNormalizer {
     const Mm over = taken - static_cast<Mm>(length_of(wall));
     if (over <= 0 || windows.size() < 2) return;
     for (Opening* window : windows) {
-      const Mm width = (window->width - over / static_cast<Mm>(windows.size())) / kGridMm * kGridMm - kGridMm;
-      context_.note("filled", fmt::format("{} is {} wide, so that all windows of {} fit", window->id, metres_text(width), wall.id),
+      const Mm less = (over / static_cast<Mm>(windows.size()) / kGridMm + 1) * kGridMm;
+      window->width = std::max(kLeastWindow, window->width - less);
+      context_.note("filled", fmt::format("{} is {} wide, so that all windows of {} fit", window->id, metres_text(window->width), wall.id),
                     "/room/openings");
-      window->width = std::max(kLeastWindow, width);
     }
   }
 

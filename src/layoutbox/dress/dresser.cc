@@ -44,7 +44,7 @@ Size Dresser::size_of(const Dressing& row) const {
   return {given(row.size.width, usual.width), given(row.size.depth, usual.depth), given(row.size.height, usual.height)};
 }
 
-std::string Dresser::add(const std::string& kind, const std::vector<std::string>& words, const Size& size, const StandsAt& pose) {
+std::string Dresser::add(const std::string& kind, const std::vector<std::string>& words, const Size& size, const DressedPose& pose) {
   const CatalogEntry& entry = catalog_.entry_or_nearest(kind);
   PlacedObject object;
   int number = 0;
@@ -70,7 +70,7 @@ std::string Dresser::add(const std::string& kind, const std::vector<std::string>
 
 std::string Dresser::add_at_wall(const std::string& kind, const std::vector<std::string>& words, const Size& size, const DressedWall& wall,
                                  double along, double height) {
-  StandsAt pose{wall.point(along + size.width / 2.0, size.depth / 2.0, height), wall.turn_deg};
+  DressedPose pose{wall.point(along + size.width / 2.0, size.depth / 2.0, height), wall.turn_deg};
   if (catalog_.entry_or_nearest(kind).mount == Mount::kWall) pose.holder = wall.wall->id;
   return add(kind, words, size, pose);
 }

@@ -13,7 +13,7 @@
 namespace layoutbox::dressing {
 
 // Where a thing goes.
-struct StandsAt {
+struct DressedPose {
   std::array<double, 3> at{};  // mm; x, y: centre of the footprint, z: underside
   double turn_deg = 0;
   std::string holder = "floor";  // floor, ceiling, a wall's id or an object's
@@ -41,7 +41,7 @@ class Dresser {
   // The usual size of what the row adds, by its words; sides that the row gives are so.
   Size size_of(const Dressing& row) const;
   // Returns the id.
-  std::string add(const std::string& kind, const std::vector<std::string>& words, const Size& size, const StandsAt& pose);
+  std::string add(const std::string& kind, const std::vector<std::string>& words, const Size& size, const DressedPose& pose);
   // With its back to a wall, from there along it; millimetres from the floor to its underside.
   std::string add_at_wall(const std::string& kind, const std::vector<std::string>& words, const Size& size, const DressedWall& wall,
                           double along, double height);

@@ -69,11 +69,11 @@ bool Solver::is_companion(int item) const {
 std::vector<std::string> Solver::companions_placed_by(const Constraint& constraint) const {
   if (constraint.relation < 0) return {};
   const Relation& relation = scene().relations[static_cast<std::size_t>(constraint.relation)];
-  const auto came = [&](const std::string& id) {
+  const auto came_in = [&](const std::string& id) {
     const SceneObject* object = scene().find_object(id);
-    return object != nullptr && object->origin == Origin::kAdded;
+    return object != nullptr && came(*object);
   };
-  if (relation.origin != Origin::kAdded || !std::all_of(relation.targets.begin(), relation.targets.end(), came)) return {};
+  if (relation.origin != Origin::kAdded || !std::ranges::all_of(relation.targets, came_in)) return {};
   return relation.targets;
 }
 

@@ -1,0 +1,176 @@
+// In which wall the text has a door or a window: "to the east", "at both ends", "man door back right corner".
+#include <algorithm>
+
+#include "layoutbox/catalog/opening_look.h"
+#include "layoutbox/plan/offline/noun_phrase_parts.h"
+#include "layoutbox/plan/offline/room_reader.h"
+
+namespace layoutbox::offline {
+
+namespace {
+using Class = WordClass;
+}  // namespace
+
+namespace {
+
+// "the door to the bakehouse is at the back": where the door leads, in the two chunks from n on.
+void leave_out_where_it_leads(Document& document, NounPhrase& door, std::size_t n) {
+  std::vector<Chunk>& chunks = document.chunks;
+  const bool leads = n + 1 < chunks.size() && chunks[n].first + 1 == chunks[n].last && document.tokens[chunks[n].first].text == "to" &&
+                     chunks[n + 1].kind == ChunkKind::kNoun &&
+                     (chunks[n + 1].noun.kind != NounKind::kObject || !chunks[n + 1].noun.exact) &&
+                     chunks[n + 1].noun.kind != NounKind::kWall;
+  if (!leads) return;
+  if (opening_look(OpeningType::kDoor, {chunks[n + 1].noun.head}).outside) door.attributes.push_back(chunks[n + 1].noun.head);
+  for (std::size_t c = n; c < n + 2; ++c) {
+    chunks[c].kind = ChunkKind::kIgnored;
+    for (std::size_t i = chunks[c].first; i < chunks[c].last; ++i) {
+      document.readings[i].use = WordReading::Use::kIgnored;
+      document.readings[i].role = "where the door leads";
+    }
+  }
+}
+
+}  // namespace
+
+namespace {
+
+// What is said of an opening's place where no wall is named: "entrance south", "window (east)", "the door is on the front", "man door
+// back right corner".
+struct SideSaid {
+  std::string wall, corner;
+  std::size_t last = 0;  // the token behind it; 0: nothing is said
+};
+SideSaid side_said_at(const Lexicon& lexicon, const Document& document, std::size_t i) {
+  const std::vector<Token>& tokens = document.tokens;
+  const auto is = [&](std::initializer_list<std::string_view> words) { return says_one_of(document, i, words); };
+  const bool bracket = is({"("});
+  if (bracket) ++i;
+  // "the balcony door, which takes almost all the right wall"
+  const bool relative = is({","}) && says_one_of(document, i + 1, {"which", "that"}) &&
+                        says_one_of(document, i + 2, {"takes", "occupies", "fills", "covers", "spans", "is", "are"});
+  if (relative) i += 3;
+  while (relative && is({"up", "almost", "nearly", "all", "most", "of", "whole", "entire"})) ++i;
+  while (is({"is", "are", "on", "at", "in", "to", "the", "located", "placed", "situated"})) ++i;
+  const auto side_at = [&](std::size_t at) { return at < tokens.size() ? lexicon.find(tokens, at, Class::kWallWord) : Match{}; };
+  const Match side = side_at(i);
+  if (side.length == 0) return {};
+  SideSaid said{std::string(meaning_of(side, Class::kWallWord)->word), {}, i + side.length};
+  i = said.last;
+  if (const Match second = side_at(i); second.length > 0) {
+    said.corner = meaning_of(second, Class::kWallWord)->word;
+    i += second.length;
+    if (!is({"corner"})) return {};
+    ++i;
+  } else if (is({"side", "end"}) || (relative && is({"wall"}))) {
+    ++i;
+  }
+  const bool ends = i >= tokens.size() || tokens[i].kind == Token::Kind::kPunctuation || lexicon.is(tokens[i], Class::kAnd);
+  if (!ends || (bracket && !is({")"}))) return {};
+  said.last = i + (bracket ? 1 : 0);
+  return said;
+}
+
+}  // namespace
+
+// "a window to the east", "the entrance is on the left", "the window faces south": which wall.
+void settle_opening_walls(const Lexicon& lexicon, Document& document) {
+  std::vector<Chunk>& chunks = document.chunks;
+  const auto passed = [&](std::size_t n) {
+    return n < chunks.size() && (chunks[n].kind == ChunkKind::kIgnored || chunks[n].kind == ChunkKind::kVerb ||
+                                 chunks[n].kind == ChunkKind::kParticiple || chunks[n].kind == ChunkKind::kSize);
+  };
+  for (std::size_t k = 0; k < chunks.size(); ++k) {
+    NounPhrase& noun = chunks[k].noun;
+    if (chunks[k].kind != ChunkKind::kNoun || (noun.kind != NounKind::kDoor && noun.kind != NounKind::kWindow)) continue;
+    std::size_t n = k + 1;
+    if (noun.kind == NounKind::kDoor) leave_out_where_it_leads(document, noun, n);
+    if (const SideSaid side = side_said_at(lexicon, document, chunks[k].last); side.last > 0) {
+      noun.wall_word = side.wall;
+      noun.near_corner = side.corner;
+      take_chunks(document, chunks[k].last, side.last, "which wall");
+      continue;
+    }
+    while (passed(n)) ++n;
+    if (n >= chunks.size() || chunks[n].kind != ChunkKind::kRelation) continue;
+    const std::size_t first = n++;
+    while (n < chunks.size() && chunks[n].kind == ChunkKind::kIgnored) ++n;
+    if (n < chunks.size() && chunks[n].kind == ChunkKind::kNoun) continue;
+    for (std::size_t i = chunks[first].first; i < chunks[n - 1].last; ++i) {
+      const Match side = lexicon.find(document.tokens, i, Class::kWallWord);
+      if (side.length == 0) continue;
+      noun.wall_word = meaning_of(side, Class::kWallWord)->word;
+      for (std::size_t c = first; c < n; ++c) chunks[c].kind = ChunkKind::kIgnored;
+      break;
+    }
+  }
+}
+
+namespace {
+
+// "on the short side", "at one end", "opposite": which wall, by its length or by the other opening, and where the words end; none: "".
+std::pair<std::string, std::size_t> end_said_at(const Document& document, std::size_t i) {
+  const auto is = [&](std::size_t at, std::initializer_list<std::string_view> words) { return says_one_of(document, at, words); };
+  // "door on the short side, balcony door opposite."
+  const bool across = is(i, {"opposite"}) && (i + 1 >= document.tokens.size() || document.tokens[i + 1].kind == Token::Kind::kPunctuation);
+  if (is(i, {"at", "on"}) && is(i + 1, {"both", "each", "either"}) && is(i + 2, {"end", "ends"}))
+    return {"ends", i + (is(i + 3, {"of"}) && is(i + 4, {"the", "it"}) ? is(i + 4, {"it"}) ? 5 : 6 : 3)};
+  if (is(i, {"at", "on", "in", "along"}) && is(i + 1, {"both", "each"}) && is(i + 2, {"long", "longer"}) &&
+      is(i + 3, {"side", "sides", "wall", "walls"}))
+    return {"lengths", i + 4};
+  if (is(i, {"on", "in", "along"}) && is(i + 1, {"two", "three", "both"}) && is(i + 2, {"sides", "walls"})) return {"sides", i + 3};
+  if (is(i, {"opposite", "facing"}) && is(i + 1, {"each"}) && is(i + 2, {"other"})) return {"across", i + 3};
+  if (!across && !is(i++, {"at", "on", "in"})) return {};
+  while (is(i, {"the", "one", "a", "of", "its", "two"})) ++i;
+  std::string word;
+  for (; is(i, {"long", "longer", "short", "shorter", "narrow", "other", "opposite"}); ++i)
+    word = is(i, {"other", "opposite"}) ? "other" : document.tokens[i].text.starts_with("long") ? "long" : "short";
+  const bool end = is(i, {"end", "ends"}), side = is(i, {"side", "sides", "one"});
+  if (end || (side && !word.empty())) ++i;
+  if (end && word.empty()) word = "short";
+  if (word.empty() || is(i, {"wall", "walls"}) || (!end && !side && word != "other")) return {};
+  if (is(i, {"of"}) && is(i + 1, {"the", "it"})) i += is(i + 1, {"it"}) ? 2 : 3;  // "of the room"
+  return {word, i};
+}
+
+// "in the middle of one short wall", "centered on the left wall": which wall, and where the words end; none: "".
+std::pair<std::string, std::size_t> middle_said_at(const Lexicon& lexicon, const Document& document, std::size_t i) {
+  const auto is = [&](std::size_t at, std::initializer_list<std::string_view> words) { return says_one_of(document, at, words); };
+  const bool middle = is(i, {"in", "at"}) && is(i + 1, {"the"}) && is(i + 2, {"middle", "center"}) && is(i + 3, {"of"});
+  if (!middle && !(is(i, {"centered"}) && is(i + 1, {"on", "in"}))) return {};
+  i += middle ? 4 : 2;
+  while (is(i, {"the", "one", "a", "of", "its"})) ++i;
+  std::string word;
+  if (const Match wall = lexicon.find(document.tokens, i, Class::kWallWord); wall.length > 0) {
+    word = meaning_of(wall, Class::kWallWord)->word;
+    i += wall.length;
+  } else if (is(i, {"long", "longer", "short", "shorter", "narrow"})) {
+    word = document.tokens[i++].text.starts_with("long") ? "long" : "short";
+  }
+  const bool wall = is(i, {"wall", "side", "end"});
+  const bool ends = i >= document.tokens.size() || document.tokens[i].kind == Token::Kind::kPunctuation ||
+                    lexicon.is(document.tokens[i], Class::kAnd);  // "in the middle of the front"
+  if (word.empty() || (!wall && !ends)) return {};
+  return {word, i + (wall ? 1 : 0)};
+}
+
+}  // namespace
+
+void settle_opening_ends(const Lexicon& lexicon, Document& document) {
+  for (std::size_t k = 0; k < document.chunks.size(); ++k) {
+    Chunk& chunk = document.chunks[k];
+    if (chunk.kind != ChunkKind::kNoun || (chunk.noun.kind != NounKind::kDoor && chunk.noun.kind != NounKind::kWindow)) continue;
+    std::size_t first = chunk.last;
+    for (std::size_t n = k + 1; n < document.chunks.size() && document.chunks[n].kind == ChunkKind::kIgnored; ++n)
+      first = document.chunks[n].last;
+    while (says_one_of(document, first, {"is", "are", "being", "located", "placed", "situated"})) ++first;
+    const auto middle = middle_said_at(lexicon, document, first);
+    const auto& [word, last] = middle.first.empty() ? end_said_at(document, first) : middle;
+    if (word.empty()) continue;
+    chunk.noun.wall_word = word;
+    chunk.noun.in_middle = !middle.first.empty();
+    take_chunks(document, first, last, "which wall");
+  }
+}
+
+}  // namespace layoutbox::offline
