@@ -30,9 +30,17 @@ bool Chunker::read_wishing() {
     add(ChunkKind::kIgnored, verb + 1 - i_);
     return true;
   }
-  if (!thing_next(verb + 1) || (!lexicon_.is_in("wishing", tokens_[verb].text) && !owns_furniture(verb))) return false;
-  add(ChunkKind::kThere, verb + 1 - i_);
+  const std::size_t thing = verb + (is_for_whom(verb + 1) ? 2 : 1);
+  if (!thing_next(thing) || (!lexicon_.is_in("wishing", tokens_[verb].text) && !owns_furniture(verb))) return false;
+  add(ChunkKind::kThere, thing - i_);
   return true;
+}
+
+// "he got himself a recliner", "they bought me a desk"
+bool Chunker::is_for_whom(std::size_t at) const {
+  if (at + 1 >= tokens_.size()) return false;
+  const std::string& word = tokens_[at].text;
+  return word.ends_with("self") || word.ends_with("selves") || word == "me" || word == "us" || word == "him" || word == "her" || word == "them";
 }
 
 // "he also owns a rocking chair": a piece of furniture somebody has is there; a cat, a boat and a shop are told of.

@@ -62,6 +62,7 @@ class Chunker {
   bool is_about_number() const;
   bool is_all_around() const;
   bool read_wishing();
+  bool is_for_whom(std::size_t at) const;
   bool owns_furniture(std::size_t verb) const;
   bool is_helping(std::size_t at) const;
   bool says_how_much(std::size_t at) const;

@@ -205,11 +205,12 @@ bool NounPhraseReader::read_subset() {
       return done_ = true;
     }
   }
-  if (lexicon_.is(next, Class::kDefinite) || lexicon_.is(next, Class::kPossessive)) {
+  const bool counted = phrase_.determiner == Determiner::kEach && number_follows(1);  // "in each of two corners"
+  if (lexicon_.is(next, Class::kDefinite) || lexicon_.is(next, Class::kPossessive) || counted) {
     auto base = read_noun_phrase(lexicon_, tokens_, i_ + 1, false);
     const bool part_of_room = base && (base->kind == NounKind::kWall || base->kind == NounKind::kCorner ||
                                        base->kind == NounKind::kWindow || base->kind == NounKind::kDoor);
-    if (part_of_room) {  // "three of the walls", "by one of the windows"
+    if (part_of_room || (base && counted && base->kind == NounKind::kObject)) {  // "three of the walls", "by one of the windows"
       if (phrase_.determiner == Determiner::kEach) base->determiner = Determiner::kEach;
       if (phrase_.count > 0) base->count = phrase_.count;
       base->first = phrase_.first;
@@ -294,7 +295,12 @@ bool NounPhraseReader::take(Class word_class, Determiner determiner) {
 NounPhraseReader::Opening NounPhraseReader::read_article() {
   // "on one a blanket", "above both a shelf"
   if ((counted_ || phrase_.determiner == Determiner::kBoth) && lexicon_.is(token(), Class::kIndefinite)) return Opening::kEnds;
-  if (take(Class::kAnother, Determiner::kAnother)) return Opening::kGoesOn;
+  if (take(Class::kAnother, Determiner::kAnother)) {
+    if (lexicon_.find_phrase(tokens_, i_).length < 2 || !(at_word("left") || at_word("right"))) return Opening::kGoesOn;
+    phrase_.kind = NounKind::kMember;  // "… and another right of it"
+    done_ = true;
+    return Opening::kDone;
+  }
   if (take(Class::kIndefinite, Determiner::kIndefinite)) {
     if (at_word("few")) i_ += 1, phrase_.count = 3, phrase_.vague = counted_ = true;
     return Opening::kGoesOn;
@@ -318,6 +324,13 @@ NounPhraseReader::Opening NounPhraseReader::read_each() {
     --i_;
     if (read_subset()) return Opening::kDone;
     ++i_;
+  }
+  // "each comes with a lamp": one of them would have no -s
+  if (phrase_.determiner == Determiner::kEach && more() && plural_at(i_) && may_be_verb(singular_of(token().text)) &&
+      meaning_of(lexicon_.find(tokens_, i_), Class::kObject) == nullptr) {
+    phrase_.kind = NounKind::kMember;
+    done_ = true;
+    return Opening::kDone;
   }
   // "below each one a bin"
   if (at_word("one") && (i_ + 1 >= tokens_.size() || tokens_[i_ + 1].kind == Token::Kind::kPunctuation || opens_at(i_ + 1))) {

@@ -104,7 +104,8 @@ void Decoder::alone_actions(std::size_t s, int u) {
   }
   int nearer = 0;
   for (std::size_t level = state.frontier.size(); level-- > 0;) {
-    if (is_thing(state, state.frontier[level])) alone_of_member(s, u, level, nearer++);
+    const bool of_relative = state.relative < 0 || state.frontier[level] == state.relative;  // "a mirror that hangs between them"
+    if (is_thing(state, state.frontier[level]) && of_relative) alone_of_member(s, u, level, nearer++);
   }
   const bool of_no_thing = place.joiner == Joiner::kNone && speaks_of_no_thing(state);
   if (of_no_thing || actions_.empty() || actions_.back().state != s) add(s, kPass, of_no_thing ? 1.5 : -2);
@@ -177,7 +178,7 @@ void Decoder::alone_of_member(std::size_t s, int u, std::size_t level, int neare
   const PhraseSenses& senses = alone_senses(u);
   const int member = state.frontier[level];
   double gain = attach_score(state, u, static_cast<int>(level), false) + (place.joiner == Joiner::kNone ? weight::kLevelAlone * nearer : 0);
-  if (is(u - 1, UnitKind::kVerb) && level > 0) gain -= 3;
+  if (is(u - 1, UnitKind::kVerb) && level > 0 && state.relative < 0) gain -= 3;
   // "a washbasin with a mirror opposite": the washbasin
   const bool held = read_as(state, member).role == NounRole::kContent && is_thing(state, host_of(state, member));
   if (held && says(senses, RelationType::kOpposite) && mount_of(noun_of(state, member)) != Mount::kFloor) gain += weight::kSmallByPlace;

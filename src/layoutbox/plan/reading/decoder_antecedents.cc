@@ -56,7 +56,7 @@ bool Decoder::consider(std::vector<Candidate>& all, const State& state, Referent
   // "a tub under the window, a stool next to it": seldom the window by which something else was placed.
   const bool by_opening = opening && referent >= 0 && read_as(state, referent).role == NounRole::kReference;
   // "a stove, two armchairs, a rug between them": between two, not three.
-  int listed = 0;
+  int listed = list ? 0 : noun_of(state, referent).count;
   for (int m = list ? referent : -1; m >= 0; m = read_as(state, m).former)
     listed += std::max(noun_of(state, m).count, several(state, m) ? 2 : 1);
   const bool crowd = listed > 2 && senses != nullptr && says(*senses, RelationType::kBetween);

@@ -124,6 +124,13 @@ void Scribe::write_place_alone(int u) {
   if (link.each && !own.fronted) {
     for (const int target : link.targets) grow_for_sides(link, target, link.references.empty() ? -1 : link.references.front());
   }
+  // "each with a lamp at its left and a bin at its right": a bin for each.
+  if (!own.fronted && link.references.size() == 1 && mention_at(link.references.front()).distributes) {
+    const int each = link.references.front();
+    for (const int target : link.targets) {
+      if (is_thing(target) && mention_at(target).introduces && target != each) grow_for_each(target, each);
+    }
+  }
   const bool one_side = link.one_side;
   const std::vector<int> targets = link.targets;
   const int added = add_link(u, std::move(link));
