@@ -185,6 +185,8 @@ class Companions {
     };
     if (std::ranges::any_of(companion.unless, named)) return;
     const bool on_it = std::ranges::any_of(kind->stands_on, [&](const std::string& id) { return akin(id, companion.of); });
+    const auto is_there = [&](const std::string& other) { return has_kind(other); };
+    if (kind->mount == Mount::kSurface && !on_it && std::ranges::none_of(kind->stands_on, is_there)) return;  // no lamp on the floor
     // What stands on the floor comes with those kinds only that such a thing stands beside: no nightstand with a bunk bed.
     const auto takes = [&](const SceneObject& object) {
       const CatalogEntry* entry = catalog_.find(object.category);

@@ -1,5 +1,7 @@
 #include "layoutbox/plan/offline/examples.h"
 
+#include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "layoutbox/base/words.h"
@@ -59,30 +61,67 @@ class ExampleReader : public TokenReader {
     return {at, 0};
   }
 
-  void read(std::size_t at) {
-    const std::size_t from = list_from(at + 1);
-    if (from == 0) return;
-    const bool bracket = is(at + 1, {"("});
-    std::vector<std::size_t> things;
-    bool any = false;
+  // "fifteen objects on the table (plates, mugs)": the bracket behind where they are; 0: none.
+  std::size_t bracket_behind_place(std::size_t at) const {
+    constexpr std::size_t kMostWords = 7;
+    if (lexicon_.find_phrase(tokens_, at).length == 0) return 0;
+    for (std::size_t i = at + 1; i < at + kMostWords && i < tokens_.size() && !tokens_[i].ends_sentence; ++i) {
+      if (is(i, {"("})) return i;
+      if (tokens_[i].kind == Token::Kind::kPunctuation) return 0;
+    }
+    return 0;
+  }
+
+  // The places of the list's things, up to the sentence's end or the bracket's; nothing where it lists anything else.
+  struct Listed {
+    std::vector<std::size_t> bare;  // "plates"
+    int told = 0;                   // "a mug": how many is said of it
+    std::size_t end = 0;
+  };
+  std::optional<Listed> list_at(std::size_t from) const {
+    Listed all;
     std::size_t i = from;
     for (; i < tokens_.size() && !tokens_[i].ends_sentence && !is(i, {")"}); ++i) {
       const std::size_t length = thing_at(i);
       const bool begins = i == from || is(i - 1, {",", "and", "or"});
-      const bool counted = begins && is_article(i);   // "a mug": how many is said of it
-      if (begins && length == 0 && !counted) return;  // no list of things alone
-      any = any || counted;
+      const bool counted = begins && is_article(i);
+      if (begins && length == 0 && !counted) return {};
+      all.told += counted ? 1 : 0;
       if (!begins || length == 0) continue;
-      things.push_back(i);
+      all.bare.push_back(i);
       i += length - 1;
     }
+    all.end = i;
+    return all;
+  }
+
+  void read(std::size_t at) {
+    const std::size_t behind = bracket_behind_place(at + 1);
+    const std::size_t from = behind > 0 ? list_from(behind) : list_from(at + 1);
+    if (from == 0) return;
+    const bool bracket = behind > 0 || is(at + 1, {"("});
+    const std::optional<Listed> list = list_at(from);
+    if (!list || (bracket && !is(list->end, {")"}))) return;
     const auto [first, number] = lead(at);
-    const int listed = static_cast<int>(things.size());
-    if ((listed < 1 && !any) || (!any && number < listed) || (bracket && !is(i, {")"}))) return;
-    leave_out(first, from);
-    if (bracket) leave_out(i, i + 1);
-    for (int k = 0; k < listed && !any; ++k)
-      splices_.push_back({things[static_cast<std::size_t>(k)], number_token(number / listed + (k < number % listed))});
+    const int listed = static_cast<int>(list->bare.size());
+    if (listed < 1 && list->told == 0) return;
+    const int shared = number - list->told;  // among those of which nobody says how many
+    if (list->told == 0 && number < listed) return;
+    leave_out(first, behind > 0 ? at + 1 : from);
+    if (bracket) leave_out(list->end, list->end + 1);
+    const auto count_of = [&](std::size_t k) { return shared / listed + (static_cast<int>(k) < shared % listed); };
+    if (behind == 0) {
+      for (std::size_t k = 0; shared >= listed && k < list->bare.size(); ++k) splices_.push_back({list->bare[k], number_token(count_of(k))});
+      return;
+    }
+    // What the bracket lists comes before the place.
+    for (std::size_t i = from; i < list->end; ++i) {
+      const auto bare = std::ranges::find(list->bare, i);
+      if (bare != list->bare.end() && shared >= listed)
+        splices_.push_back({first, number_token(count_of(static_cast<std::size_t>(bare - list->bare.begin())))});
+      splices_.push_back({first, tokens_[i]});
+    }
+    leave_out(behind, list->end + 1);
   }
 
   std::vector<Splice> splices_;

@@ -4,6 +4,7 @@
 #include <ranges>
 #include <utility>
 
+#include "layoutbox/plan/offline/bare_sides.h"
 #include "layoutbox/plan/offline/room_reader.h"
 #include "layoutbox/plan/offline/splice.h"
 
@@ -196,9 +197,14 @@ class SizeReader {
     return false;
   }
 
-  // "Room is 4 meter and 3 meter.": both with their unit and no word for which is which.
+  // "Room is 4 meter and 3 meter.": both with their unit and no word for which is which; "10 on 8 meters".
   SidesRead read_two_joined(std::size_t at) const {
-    const auto one = read_measure(lexicon_, tokens_, at);
+    auto one = read_measure(lexicon_, tokens_, at);
+    const auto shared = !one && at + 2 < tokens_.size() && tokens_[at].kind == Token::Kind::kNumber &&
+                                (tokens_[at + 1].text == "on" || tokens_[at + 1].text == "times")
+                            ? read_measure(lexicon_, tokens_, at + 2)
+                            : std::nullopt;
+    if (shared && tokens_[at + 2].number > 0) one = Measure{tokens_[at].number * shared->metres / tokens_[at + 2].number, 1};
     const std::size_t joiner = one ? at + one->length : tokens_.size();
     if (joiner >= tokens_.size() || !(tokens_[joiner].text == "and" || tokens_[joiner].text == "times" || tokens_[joiner].text == "on"))
       return {};
@@ -287,10 +293,18 @@ class SizeReader {
     return false;
   }
 
+  // "the ceiling is 2.5": metres, as nobody says the unit.
+  bool says_height_alone(std::size_t at) const {
+    constexpr double kLowest = 2, kHighest = 6;
+    const bool ends = at + 1 >= tokens_.size() || tokens_[at].ends_sentence || tokens_[at + 1].kind == Token::Kind::kPunctuation;
+    return ends && tokens_[at].kind == Token::Kind::kNumber && tokens_[at].number >= kLowest && tokens_[at].number <= kHighest;
+  }
+
   // "ceilings 3 m high", "3 m high ceiling", "a ceiling height of 2.8 m".
   std::size_t read_height(std::size_t at) {
     constexpr double kLowest = 1.2, kHighest = 30;  // m: between them lies a ceiling
-    const auto measure = read_measure(lexicon_, tokens_, at);
+    auto measure = read_measure(lexicon_, tokens_, at);
+    if (!measure && says_height_alone(at)) measure = Measure{tokens_[at].number, 1};
     if (!measure || measure->metres < kLowest || measure->metres > kHighest) return 0;
     const std::size_t last = at + measure->length;
     if (!ceiling_after(last) && !ceiling_before(at, last)) return 0;
@@ -352,6 +366,7 @@ class SizeReader {
 }  // namespace
 
 RoomSize read_room_size(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
+  complete_bare_sides(lexicon, document, skip);
   std::vector<Splice> commas;
   const RoomSize size = SizeReader(lexicon, document, skip, commas).run();
   splice(document, skip, std::move(commas));

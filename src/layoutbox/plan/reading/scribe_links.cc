@@ -128,7 +128,8 @@ void Scribe::write_place_alone(int u) {
   if (!own.fronted && link.references.size() == 1 && mention_at(link.references.front()).distributes) {
     const int each = link.references.front();
     for (const int target : link.targets) {
-      if (is_thing(target) && mention_at(target).introduces && target != each) grow_for_each(target, each);
+      const bool anew = is_thing(target) && mention_at(target).introduces && noun_of(target).determiner == Determiner::kIndefinite;
+      if (anew && target != each) grow_for_each(target, each);
     }
   }
   const bool one_side = link.one_side;

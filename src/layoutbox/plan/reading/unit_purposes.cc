@@ -1,6 +1,7 @@
 // Purposes, roles, for how many, and what is not wanted.
 #include <algorithm>
 
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
@@ -313,7 +314,7 @@ bool UnitReader::passes_count(std::size_t k) {
   const NounPhrase& noun = chunk(n).noun;
   const bool persons = noun.kind == NounKind::kMember || lexicon_.is_person(noun.head);
   const std::size_t before = last_noun();
-  if (persons && is_enough(before)) {  // "enough chairs for six"
+  if (persons && (is_enough(before) || is_one_for_each(before))) {  // "enough chairs for six", "lockers for twelve"
     document_.chunks[before].noun.count = noun.count;
     mark(k, Use::kUsed, "for how many");
     mark(n, Use::kUsed, "for how many");
@@ -339,6 +340,16 @@ bool UnitReader::is_enough(std::size_t k) const {
   if (k >= document_.chunks.size() || chunk(k).first == 0 || !names_thing(k)) return false;
   const NounPhrase& noun = chunk(k).noun;
   return noun.plural && noun.count == 0 && document_.tokens[chunk(k).first - 1].text == "enough";
+}
+
+// What everybody has of his own and is not counted yet: seats, beds, what is narrow.
+bool UnitReader::is_one_for_each(std::size_t k) const {
+  constexpr Mm kNarrow = 600;
+  if (!names_thing(k)) return false;
+  const NounPhrase& noun = chunk(k).noun;
+  if (!noun.plural || noun.count != 0 || noun.determiner != Determiner::kNone || noun.entry == nullptr) return false;
+  return is_seat(lexicon_.catalog(), noun) || noun.entry->is(Trait::kBed) ||
+         (noun.entry->size.usual.width <= kNarrow && !is_table(lexicon_.catalog(), noun));
 }
 
 // "a table for six" has six seats; "desks for 24 students" are 24, "tables for forty guests" ten.

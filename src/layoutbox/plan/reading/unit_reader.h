@@ -62,6 +62,7 @@ class UnitReader {
   bool reads_as_verb(std::size_t k) const;
   bool passes_count(std::size_t k);
   bool is_enough(std::size_t k) const;
+  bool is_one_for_each(std::size_t k) const;
   bool passes_role(std::size_t k);
   bool serves_for(std::size_t k, std::size_t role);
   bool brings_for_each(std::size_t k);
