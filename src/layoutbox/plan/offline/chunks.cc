@@ -269,6 +269,14 @@ bool Chunker::is_picture() const {
   return tokens_[i_].text == "picture" && i_ + 1 < tokens_.size() && lexicon_.find_phrase(tokens_, i_ + 1).length > 0;
 }
 
+// "a drum kit, set up on a rug, …": said of the drum kit, no command.
+std::size_t Chunker::set_after_noun() const {
+  const std::size_t length = tokens_[i_].text == "set" || tokens_[i_].text == "put" ? length_of(Class::kCommand) : 0;
+  const bool told = previous() == ChunkKind::kComma && chunks_.size() > 1 && chunks_[chunks_.size() - 2].kind == ChunkKind::kNoun;
+  const bool placed = told && length > 0 && i_ + length < tokens_.size() && lexicon_.find_phrase(tokens_, i_ + length).length > 0;
+  return placed ? length : 0;
+}
+
 // The longest of the words that may begin here; of equals the first.
 Chunker::Choice Chunker::longest(const PhraseMatch& phrase, std::size_t without) const {
   const ChunkKind before = previous();
@@ -276,13 +284,13 @@ Chunker::Choice Chunker::longest(const PhraseMatch& phrase, std::size_t without)
   const std::size_t filler = length_of(Class::kFiller);
   const std::array<Choice, 13> choices = {{
       {ChunkKind::kIgnored, filler > 1 ? filler : 0},  // "six in all", "three should do"
-      {ChunkKind::kCommand, clause_begins() && !is_picture() ? length_of(Class::kCommand) : 0},
+      {ChunkKind::kCommand, clause_begins() && !is_picture() && set_after_noun() == 0 ? length_of(Class::kCommand) : 0},
       {ChunkKind::kWithout, without},
       {ChunkKind::kSoft, length_of(Class::kSoft)},
       {ChunkKind::kHave, std::max(length_of(Class::kHave), bears_thing())},
       {ChunkKind::kRelation, phrase.length},
       {ChunkKind::kVerb, be_length()},
-      {ChunkKind::kParticiple, std::max(length_of(Class::kParticiple), length_of(Class::kHang))},
+      {ChunkKind::kParticiple, std::max({length_of(Class::kParticiple), length_of(Class::kHang), set_after_noun()})},
       {ChunkKind::kVerb, length_of(Class::kPlaceVerb)},
       {ChunkKind::kClause, length_of(Class::kClause)},
       {ChunkKind::kAnd, length_of(Class::kAnd)},

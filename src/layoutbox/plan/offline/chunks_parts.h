@@ -112,6 +112,7 @@ class Chunker {
     std::size_t length;
   };
   bool is_picture() const;
+  std::size_t set_after_noun() const;
   std::size_t bears_thing() const;
   Choice longest(const PhraseMatch& phrase, std::size_t without) const;
   bool is_longer_noun(const Choice& best) const;

@@ -96,6 +96,7 @@ class Decoder {
   void list_actions(std::size_t s, int u);
   int open_list(const State& state) const;
   bool goes_on_with_clause(const State& state, int u) const;
+  bool never_closes(const State& state, int u) const;
   bool on_part_of_top(const State& state, int u) const;
   double told_nothing(int u) const;
   void root_list_actions(std::size_t s, int u, double gain);

@@ -96,6 +96,17 @@ bool Decoder::goes_on_with_clause(const State& state, int u) const {
   return mount_of(noun) == Mount::kFloor || (known(noun) && known(noun_of(state, first)));
 }
 
+// "chairs, a counter, a table with magazines, fish tank, coat rack": no "and" ends what the table has, so the tank is of the clause's list.
+bool Decoder::never_closes(const State& state, int u) const {
+  constexpr Mm kGreat = 450;  // what is smaller may well be one more of what lies there
+  const NounPhrase& noun = chunk(u).noun;
+  if (unit(u).joiner != Joiner::kComma || open_list(state) < 2 || noun.entry == nullptr || noun.entry->size.usual.width < kGreat) return false;
+  for (int v = u + 1; v < static_cast<int>(sentence_.size()) && !unit(v).clause; ++v) {
+    if (is(v, UnitKind::kNoun) && unit(v).joiner != Joiner::kNone && unit(v).joiner != Joiner::kComma) return false;
+  }
+  return true;
+}
+
 // "On the desk a lamp at the left side, a clock in the middle": parts of the top that the clause begins with.
 bool Decoder::on_part_of_top(const State& state, int u) const {
   const int place = state.fronted.empty() ? -1 : state.fronted.front();
@@ -167,7 +178,7 @@ double Decoder::content_list_score(const State& state, int member, int u) const 
       one_of(document_.tokens[end + 1].text, {"all", "everyone", "everybody", "both"}))
     return -6;
   if (is_common(noun)) return -6;
-  double score = goes_on_with_clause(state, u) ? weight::kClosesList : 0;
+  double score = goes_on_with_clause(state, u) ? weight::kClosesList : never_closes(state, u) ? weight::kNeverCloses : 0;
   bool ended = false;
   std::size_t length = 0;
   for (int m = member; m >= 0; m = read_as(state, m).former, ++length) {

@@ -54,6 +54,7 @@ class Scribe {
   int list_ranked(const NounPhrase& noun, int antecedent);
   int combined(const std::vector<int>& mentions);
   int pair_just_related();
+  int pair_of_a_name();
   int thing_of_zone(int u, const NounPhrase& noun) const;
   bool trails_each(int u);
   bool write_set(int u);

@@ -39,6 +39,18 @@ int Scribe::pair_just_related() {
   return -1;
 }
 
+// "a nightstand to its left; a second nightstand is on the right; each of them": what was brought in last and the one before of its name.
+int Scribe::pair_of_a_name() {
+  int last = -1;
+  for (std::size_t m = document_.mentions.size(), looked = 0; m-- > 0 && looked < kReach; ++looked) {
+    const Mention& one = document_.mentions[m];
+    if (!one.introduces || one.items.size() != 1 || one.noun.kind != NounKind::kObject) continue;
+    if (last >= 0 && one.noun.name == noun_of(last).name) return combined({static_cast<int>(m), last});
+    if (last < 0) last = static_cast<int>(m);
+  }
+  return -1;
+}
+
 int Scribe::antecedent_of(int u) {
   const UnitReading& own = reading(u);
   const NounPhrase& noun = chunk(u).noun;
@@ -71,6 +83,7 @@ int Scribe::antecedent_of(int u) {
     const std::vector<int> placed = own.predicate >= 0 ? subjects_of(own.predicate) : std::vector<int>{};
     if (const std::vector<int> two = pair_named_last(u, placed); two.size() == 2) return combined(two);
     if (const std::vector<int> two = two_alike(u, !each_of_them); two.size() == 2 && own.predicate < 0) return combined(two);
+    if (const int pair = pair_of_a_name(); pair >= 0) return pair;
     if (const int pair = pair_just_related(); pair >= 0) return pair;
     // The last two things that were spoken of.
     if (so_far_.roots.size() > 1) return combined({so_far_.roots[so_far_.roots.size() - 2], so_far_.roots.back()});
