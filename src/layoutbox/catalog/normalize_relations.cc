@@ -79,6 +79,7 @@ class SupportChooser {
       const auto is_such = [&](const SceneObject& o) { return allowed(o) && context_.catalog.is_a(entry(o).id, id); };
       // A kettle rather stands on a cabinet than in the sink, which is a counter as well.
       if (const SceneObject* found = freest([&](const SceneObject& o) { return is_such(o) && entry(o).top_carries; })) return found;
+      if (entry(object_).hang_height > 0) continue;  // a television is in no wardrobe
       if (const SceneObject* found = freest(is_such)) return found;
     }
     if (entry(object_).hang_height > 0) return nullptr;  // a television rather hangs than stands on the coffee table

@@ -84,6 +84,14 @@ class UseReader : public TokenReader {
                        "this", "that", "my", "our",  "so",   "is",   "on", "any", "same", "living", "dining", "walk"});
   }
 
+  // Behind "all the", "about a hundred", "her three".
+  std::size_t past_quantity(std::size_t at) const {
+    constexpr std::size_t kMost = 4;  // tokens
+    if (is(at, {"all", "about", "around", "roughly", "some", "nearly", "over"}) && is_article(at + 1)) ++at;
+    for (std::size_t taken = 0; taken < kMost && is_article(at); ++taken) ++at;
+    return at;
+  }
+
   // The tokens from `at` on that say these words, determiners and plurals aside; 0: they say something else.
   std::size_t matched(std::string_view words, std::size_t at) const {
     const std::size_t first = at;
@@ -91,8 +99,7 @@ class UseReader : public TokenReader {
       const std::string_view word = words.substr(0, words.find(' '));
       words.remove_prefix(std::min(words.size(), word.size() + 1));
       while (at > first && is_article(at) && tokens_[at].text != word) ++at;
-      if (at == first && is(at, {"all"}) && is_article(at + 1)) ++at;  // "all the toys"
-      if (at == first && is_article(at)) ++at;
+      if (at == first) at = past_quantity(at);
       if (at >= tokens_.size() || (tokens_[at].text != word && singular_of(tokens_[at].text) != singular_of(word))) return 0;
       ++at;
     }
