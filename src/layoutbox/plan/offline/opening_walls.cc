@@ -66,6 +66,12 @@ SideSaid side_said_at(const Lexicon& lexicon, const Document& document, std::siz
     ++i;
   }
   const bool ends = i >= tokens.size() || tokens[i].kind == Token::Kind::kPunctuation || lexicon.is(tokens[i], Class::kAnd);
+  if (is({"and", "&"})) {  // "on the east and west walls": the walls say it
+    std::size_t other = i + 1;
+    while (says_one_of(document, other, {"the", "on", "in"})) ++other;
+    const std::size_t length = side_at(other).length;
+    if (length > 0 && says_one_of(document, other + length, {"wall", "walls", "side", "sides"})) return {};
+  }
   if (!ends || (bracket && !is({")"}))) return {};
   said.last = i + (bracket ? 1 : 0);
   return said;

@@ -178,7 +178,10 @@ double Decoder::content_list_score(const State& state, int member, int u) const 
       one_of(document_.tokens[end + 1].text, {"all", "everyone", "everybody", "both"}))
     return -6;
   if (is_common(noun)) return -6;
-  double score = goes_on_with_clause(state, u) ? weight::kClosesList : never_closes(state, u) ? weight::kNeverCloses : 0;
+  // "each desk with monitor, keyboard, chair": every one has all of them
+  const bool of_each = owner >= 0 && chunk(owner).noun.determiner == Determiner::kEach;
+  const bool outside = !of_each && never_closes(state, u) && !(is_table(lexicon_.catalog(), host) && is_seat(lexicon_.catalog(), noun));
+  double score = goes_on_with_clause(state, u) ? weight::kClosesList : outside ? weight::kNeverCloses : 0;
   bool ended = false;
   std::size_t length = 0;
   for (int m = member; m >= 0; m = read_as(state, m).former, ++length) {
