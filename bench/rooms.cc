@@ -116,7 +116,7 @@ SceneGraph raw_scene(const PlainRoom& room) {
     if (box.align >= 0) {
       p = {};
       p.axis = box.axis == 0 ? Axis::kX : Axis::kY;
-      p.edge = "center";
+      p.edge = Edge::kCenter;
       add(scene, RelationType::kAlign, {id_of(i)}, {id_of(static_cast<std::size_t>(box.align))}, p);
     }
   }
@@ -308,7 +308,7 @@ SceneGraph impossible_scene(int kind, std::uint64_t seed) {
       for (int k = 0; k < 3; ++k) p.distance = 300 + 100 * k, add(scene, RelationType::kOffset, {box(k + 1)}, {box(k)}, p);
       p.distance = 50, p.axis = Axis::kX;
       add(scene, RelationType::kOffset, {box(3)}, {box(0)}, p);
-      p.edge = "center", p.distance.reset();
+      p.edge = Edge::kCenter, p.distance.reset();
       add(scene, RelationType::kAlign, {box(0)}, {box(3)}, p);
       break;
     case 3:

@@ -14,7 +14,7 @@ add_library(layoutbox::layoutbox ALIAS layoutbox_library)
 # What the public headers include, and nothing else; tests/cli/test_install.py compiles against it.
 set(included
     base/result.h base/units.h
-    scene/layout.h scene/relation_list.inc scene/relation_table.h scene/scene_graph.h scene/scene_json.h
+    scene/layout.h scene/relation_list.inc scene/relation_parameters.h scene/relation_table.h scene/scene_graph.h scene/scene_json.h
     catalog/catalog.h catalog/normalize.h catalog/traits.h catalog/user_catalog.h
     plan/edit.h plan/planner.h
     solve/cp_sat_folder.h solve/solver.h

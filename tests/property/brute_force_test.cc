@@ -130,8 +130,8 @@ SceneGraph as_scene(const TinyRoom& s) {
       case Kind::kParallel: maker.relate("parallel", {t}, {o}); break;
       case Kind::kPerpendicular: maker.relate("perpendicular", {t}, {o}); break;
       case Kind::kSameTurn: maker.relate("sameOrientation", {t}, {o}); break;
-      case Kind::kAlignLeft: p.axis = Axis::kX, p.edge = "min", maker.relate("align", {t}, {o}, p); break;
-      default: p.axis = Axis::kY, p.edge = "max", maker.relate("align", {t}, {o}, p); break;
+      case Kind::kAlignLeft: p.axis = Axis::kX, p.edge = Edge::kMin, maker.relate("align", {t}, {o}, p); break;
+      default: p.axis = Axis::kY, p.edge = Edge::kMax, maker.relate("align", {t}, {o}, p); break;
     }
   }
   return maker.make();

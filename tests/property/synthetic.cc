@@ -359,7 +359,7 @@ class Maker {
                                                          : random_.number(0, 1);
     if (row.type == RelationType::kBetween || row.type == RelationType::kPairedWith) references = 2;
     for (int i = 0; i < references; ++i) draw_other_reference(relation, row.reference_kinds);
-    draw_parameters(relation.parameters, row.parameters);
+    draw_parameters(relation, row.parameters);
     return relation;
   }
 
@@ -380,7 +380,8 @@ class Maker {
     }
   }
 
-  void draw_parameters(RelationParameters& p, std::string_view names) {
+  void draw_parameters(Relation& relation, std::string_view names) {
+    RelationParameters& p = relation.parameters;
     const auto reads = [&](std::string_view name) {
       const std::size_t at = names.find(name);
       return at != std::string_view::npos && random_.chance(50);
@@ -394,9 +395,13 @@ class Maker {
     if (reads("width")) p.width = random_.number(5, 9) * 100;
     if (reads("height")) p.height = random_.number(9, 18) * 100;
     if (reads("side")) p.side = random_.one_of(std::array{Side::kFront, Side::kLeft, Side::kRight, Side::kBack, Side::kLong, Side::kShort});
-    if (reads("part")) p.part = random_.one_of(std::array{"left", "right", "front", "back", "center", "left corner"});
-    if (reads("edge")) p.edge = random_.one_of(std::array{"center", "left", "right", "front", "back"});
-    if (names.find("region") != std::string_view::npos) p.region = random_.one_of(std::array{"left", "right", "front", "back", "middle"});
+    if (reads("part")) {
+      using enum PartWord;
+      p.part =
+          random_.one_of(std::array<ThingPart, 9>{kLeft, kRight, kFront, kBack, kCenter, kCorner, kEdge, kEnd, ThingPart{kLeft, kCorner}});
+    }
+    if (reads("edge")) p.edge = random_.one_of(edges_of(relation.type));
+    if (names.find("region") != std::string_view::npos) p.region = static_cast<RoomRegion>(random_.number(0, 8));
     if (reads("columns")) p.columns = random_.number(1, 3);
   }
 

@@ -16,14 +16,14 @@ std::vector<Limit> height_limits() {
        Type::kOn,
        [](TestRoom& r) {
          r.add("desk", "desk", {1.2, 0.6, 0.75}, {2, 3.7}).add("lamp", "table_lamp", {0.2, 0.2, 0.4}, {2.0, 3.7, 0.75}, "desk");
-         r.relation(Type::kOn, {"lamp"}, {"desk"}, with([](auto& p) { p.part = "left"; }));
+         r.relation(Type::kOn, {"lamp"}, {"desk"}, with([](auto& p) { p.part = PartWord::kLeft; }));
        },
        {"lamp", {0.02, 0}}},
       {"on the left corner",
        Type::kOn,
        [](TestRoom& r) {
          r.add("desk", "desk", {1.2, 0.6, 0.75}, {2, 3.7}).add("lamp", "table_lamp", {0.2, 0.2, 0.4}, {1.8, 3.8, 0.75}, "desk");
-         r.relation(Type::kOn, {"lamp"}, {"desk"}, with([](auto& p) { p.part = "left corner"; }));
+         r.relation(Type::kOn, {"lamp"}, {"desk"}, with([](auto& p) { p.part = {PartWord::kLeft, PartWord::kCorner}; }));
        },
        {"lamp", {0.02, 0}}},
       {"on a rug",
@@ -69,7 +69,7 @@ std::vector<Limit> height_limits() {
          r.add("shelf", "bookshelf", {1.0, 0.3, 1.8}, {2, 3.85})
              .space("middle", {-0.48, -0.15, 0.8}, {0.48, 0.14, 1.2})
              .add("book", "book", {0.2, 0.2, 0.25}, {2, 3.8, 0.8}, "shelf");
-         r.relation(Type::kIn, {"book"}, {"shelf"}, with([](auto& p) { p.part = "middle"; }));
+         r.relation(Type::kIn, {"book"}, {"shelf"}, with([](auto& p) { p.part = ThingPart("middle"); }));
        },
        {"book", {0, -0.02}}},
       {"stacked",

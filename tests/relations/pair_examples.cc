@@ -49,12 +49,12 @@ std::vector<Example> pair_examples() {
        }},
       {"edgeAlign",
        [](SceneMaker& s) {
-         s.add("bed").add("nightstand").relate("edgeAlign", {"nightstand_1"}, {"bed_1"}, with([](auto& p) { p.edge = "back"; }));
+         s.add("bed").add("nightstand").relate("edgeAlign", {"nightstand_1"}, {"bed_1"}, with([](auto& p) { p.edge = Edge::kBack; }));
        },
        [](SceneMaker& s) {
          s.add("bed")
              .add("nightstand")
-             .relate("edgeAlign", {"nightstand_1"}, {"bed_1"}, with([](auto& p) { p.edge = "back"; }))
+             .relate("edgeAlign", {"nightstand_1"}, {"bed_1"}, with([](auto& p) { p.edge = Edge::kBack; }))
              .relate("inFrontOf", {"nightstand_1"}, {"bed_1"});
        }},
       {"facing", [](SceneMaker& s) { s.add("tv_stand").add("sofa").relate("facing", {"sofa_1"}, {"tv_stand_1"}); },
@@ -87,7 +87,9 @@ std::vector<Example> pair_examples() {
          s.add("desk")
              .add("table_lamp")
              .relate("centeredOn", {"table_lamp_1"}, {"desk_1"})
-             .relate("on", {"table_lamp_1"}, {"desk_1"}, with([](auto& p) { p.part = "left corner"; }));
+             .relate("on", {"table_lamp_1"}, {"desk_1"}, with([](auto& p) {
+                       p.part = {PartWord::kLeft, PartWord::kCorner};
+                     }));
        }},
       {"atFootOf", [](SceneMaker& s) { s.add("bed").add("bench").relate("atFootOf", {"bench_1"}, {"bed_1"}); },
        [](SceneMaker& s) {

@@ -94,7 +94,7 @@ std::vector<Limit> pair_limits() {
        Type::kEdgeAlign,
        [](TestRoom& r) {
          bed(r).add("stand", "nightstand", kStand, {1.4, 3.8}).relation(Type::kEdgeAlign, {"stand"}, {"bed"}, with([](auto& p) {
-                                                                          p.edge = "back";
+                                                                          p.edge = Edge::kBack;
                                                                         }));
        },
        {"stand", {0, -0.02}}},

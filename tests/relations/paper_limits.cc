@@ -39,7 +39,7 @@ std::vector<Limit> paper_limits() {
        Type::kAlign,
        [](TestRoom& r) {
          bed(r).add("desk", "desk", {1, 0.6, 0.75}, {2.2, 1}).relation(Type::kAlign, {"desk", "bed"}, {}, with([](auto& p) {
-                                                                         p.edge = "left";
+                                                                         p.edge = Edge::kLeft;
                                                                        }));
        },
        {"desk", {0.02, 0}}},

@@ -29,10 +29,11 @@ std::vector<Example> room_examples() {
        [](SceneMaker& s) {
          s.add("wardrobe").add("desk").relate("centeredOnWall", {"wardrobe_1"}, {"wall3"}).relate("centeredOnWall", {"desk_1"}, {"wall3"});
        }},
-      {"inRegion", [](SceneMaker& s) { s.add("desk").relate("inRegion", {"desk_1"}, {}, with([](auto& p) { p.region = "left"; })); },
+      {"inRegion",
+       [](SceneMaker& s) { s.add("desk").relate("inRegion", {"desk_1"}, {}, with([](auto& p) { p.region = RoomRegion::kLeft; })); },
        [](SceneMaker& s) {
          s.add("desk")
-             .relate("inRegion", {"desk_1"}, {}, with([](auto& p) { p.region = "left"; }))
+             .relate("inRegion", {"desk_1"}, {}, with([](auto& p) { p.region = RoomRegion::kLeft; }))
              .relate("againstWall", {"desk_1"}, {"wall2"});
        }},
       {"onWall", [](SceneMaker& s) { s.add("mirror").mounted(Mount::kWall).relate("onWall", {"mirror_1"}, {"wall4"}); },

@@ -64,14 +64,16 @@ std::vector<Limit> room_limits() {
       {"inRegion",
        Type::kInRegion,
        [](TestRoom& r) {
-         r.add("desk", "desk", {1, 0.6, 0.7}, {2.5, 3}).relation(Type::kInRegion, {"desk"}, {}, with([](auto& p) { p.region = "left"; }));
+         r.add("desk", "desk", {1, 0.6, 0.7}, {2.5, 3}).relation(Type::kInRegion, {"desk"}, {}, with([](auto& p) {
+                                                                   p.region = RoomRegion::kLeft;
+                                                                 }));
        },
        {"desk", {0.02, 0}}},
       {"inRegion, middle",
        Type::kInRegion,
        [](TestRoom& r) {
          r.add("desk", "desk", {1, 0.6, 0.7}, {2.5 + 5.0 / 6, 2}).relation(Type::kInRegion, {"desk"}, {}, with([](auto& p) {
-                                                                             p.region = "middle";
+                                                                             p.region = RoomRegion::kMiddle;
                                                                            }));
        },
        {"desk", {0.02, 0}}},

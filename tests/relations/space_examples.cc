@@ -17,11 +17,12 @@ std::vector<Example> space_examples() {
              .relate("corner", {"bed_1"}, {"wall2", "wall3"});
          s.add("cabinet").sized(2000, 400, 2000).at(2000, 1600, 0, 0, true).add("cabinet").sized(1000, 400, 2000).at(500, 1600, 0, 0, true);
        }},
-      {"keepClear", [](SceneMaker& s) { s.add("sofa").relate("keepClear", {"sofa_1"}, {}, with([](auto& p) { p.region = "middle"; })); },
+      {"keepClear",
+       [](SceneMaker& s) { s.add("sofa").relate("keepClear", {"sofa_1"}, {}, with([](auto& p) { p.region = RoomRegion::kMiddle; })); },
        [](SceneMaker& s) {
          s.add("table")
              .sized(800, 800, 750)
-             .relate("keepClear", {"table_1"}, {}, with([](auto& p) { p.region = "middle"; }))
+             .relate("keepClear", {"table_1"}, {}, with([](auto& p) { p.region = RoomRegion::kMiddle; }))
              .relate("centerOfRoom", {"table_1"});
        }},
   };

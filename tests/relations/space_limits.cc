@@ -34,7 +34,7 @@ std::vector<Limit> space_limits() {
        Type::kKeepClear,
        [](TestRoom& r) {
          r.add("sofa", "sofa", {2, 0.8, 0.8}, {2.5, 4.0 / 3 - 0.4}).relation(Type::kKeepClear, {"sofa"}, {}, with([](auto& p) {
-                                                                               p.region = "middle";
+                                                                               p.region = RoomRegion::kMiddle;
                                                                              }));
        },
        {"sofa", {0, 0.02}}},

@@ -136,18 +136,18 @@ class SupportChooser {
     return area;
   }
 
-  // The part of the room that the text puts it in, or empty.
-  std::string region_of(const SceneObject& object) const {
+  // The part of the room that the text puts it in.
+  std::optional<RoomRegion> region_of(const SceneObject& object) const {
     for (const Relation& relation : scene_.relations) {
       if (relation.type == RelationType::kInRegion && names(relation.targets, object.id)) return relation.parameters.region;
     }
-    return {};
+    return std::nullopt;
   }
 
   // A relation puts the two side by side or one under the other ("a lamp to the right of the desk"), or in two parts of the room.
   bool stands_apart_from(const SceneObject& candidate) const {
-    const std::string own = region_of(object_), its = own.empty() ? own : region_of(candidate);
-    if (!its.empty() && own != its) return true;
+    const std::optional<RoomRegion> own = region_of(object_), its = own ? region_of(candidate) : std::nullopt;
+    if (its && own != its) return true;
     return std::ranges::any_of(scene_.relations, [&](const Relation& relation) {
       const bool related = (names(relation.targets, object_.id) && names(relation.references, candidate.id)) ||
                            (names(relation.targets, candidate.id) && names(relation.references, object_.id));

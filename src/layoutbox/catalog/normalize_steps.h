@@ -62,6 +62,9 @@ void normalize_slopes(NormalizeContext& context);
 // Names that relations use: walls by word become ids, relations to nothing are left out; ids for those without.
 void normalize_relations(NormalizeContext& context);
 
+// Parts that relations name and their things do not have are errors. REQUIRES: names are settled, sizes known.
+void check_parts(NormalizeContext& context);
+
 // Visitors sit before the desk, who works there behind it, where words leave that open.
 void normalize_visitors(NormalizeContext& context);
 

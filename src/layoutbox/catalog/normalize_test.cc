@@ -88,6 +88,25 @@ TEST(NormalizeGuests, ManyInOneVesselAreAllSmallEnough) {
   EXPECT_LT(covered, (spaces[0].max[0] - spaces[0].min[0]) * (spaces[0].max[1] - spaces[0].min[1]));
 }
 
+TEST(NormalizeRelations, APartThatAThingDoesNotHaveIsRefusedWithThoseItHas) {
+  const auto with_part = [](RelationType type, const char* part) {
+    Relation said = relation(type, {"book_1"}, {"wardrobe_1"});
+    said.parameters.part = ThingPart(part);
+    SceneObject wardrobe = object("wardrobe_1", "wardrobe");
+    wardrobe.spaces = {{"shelf 1", {-300, -250, 100}, {300, 250, 900}}, {"shelf 2", {-300, -250, 950}, {300, 250, 1800}}};
+    wardrobe.spaces_given = true;
+    return normalize_scene(scene_of({wardrobe, object("book_1", "book")}, {said}), catalog());
+  };
+  for (const char* part : {"left", "back right corner", "top", "shelf 1"}) EXPECT_TRUE(with_part(RelationType::kOn, part)) << part;
+  EXPECT_TRUE(with_part(RelationType::kIn, "shelf 2"));
+  EXPECT_FALSE(with_part(RelationType::kIn, "top"));
+  const auto refused = with_part(RelationType::kOn, "xyz");
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().pointer, "/constraints/0/part");
+  EXPECT_THAT(refused.error().message, HasSubstr("\"xyz\", which wardrobe_1 does not have"));
+  EXPECT_THAT(refused.error().hint, AllOf(HasSubstr("left, right, center"), HasSubstr("shelf 1, shelf 2")));
+}
+
 TEST(NormalizeObjects, WordsNarrowTheSize) {
   SceneObject king = object("bed_1", "bed"), tall = object("plant_1", "plant"), small = object("desk_1", "desk");
   king.name = "king size bed";

@@ -37,7 +37,7 @@ PartWords read_part_words() {
   return words;
 }
 
-const PartWords& part_words() {
+const PartWords& words_of_parts() {
   static const PartWords all = read_part_words();
   return all;
 }
@@ -56,7 +56,7 @@ std::vector<Clause> clauses(std::string_view prompt) {
   return all;
 }
 
-bool says_look(const std::string& word) { return is_look_word(word) || word == "and" || is_listed(part_words().passed, word); }
+bool says_look(const std::string& word) { return is_look_word(word) || word == "and" || is_listed(words_of_parts().passed, word); }
 
 // The look that these words say; nothing where they name neither a colour nor a material.
 std::optional<PartLook> look_of(std::span<const std::string> said) {
@@ -81,8 +81,8 @@ std::optional<PartLook> look_before(const Clause& text, std::size_t at) {
 
 // After a word that joins the two ("fronts in white").
 std::optional<PartLook> look_after(const Clause& text, std::size_t at) {
-  if (at >= text.size() || !is_listed(part_words().joins, text[at])) return std::nullopt;
-  while (at < text.size() && is_listed(part_words().joins, text[at])) ++at;
+  if (at >= text.size() || !is_listed(words_of_parts().joins, text[at])) return std::nullopt;
+  while (at < text.size() && is_listed(words_of_parts().joins, text[at])) ++at;
   std::size_t to = at;
   while (to < text.size() && to - at < kMostAfter && says_look(text[to])) ++to;
   return look_of(std::span(text).subspan(at, to - at));
@@ -103,7 +103,7 @@ std::size_t named_at(const NamedPart& part, const Clause& text, std::size_t at) 
 PartLooks part_looks(std::string_view prompt) {
   PartLooks looks;
   const std::vector<Clause> all = clauses(prompt);
-  for (const NamedPart& part : part_words().parts) {
+  for (const NamedPart& part : words_of_parts().parts) {
     for (const Clause& text : all) {
       for (std::size_t at = 0; at < text.size() && !looks.contains(part.name); ++at) {
         const std::size_t length = named_at(part, text, at);

@@ -95,9 +95,9 @@ Relation relation_from(const json& value) {
   p.width = optional_length(value, "width");
   p.height = optional_length(value, "height");
   p.side = side_from_name(text_at(value, "side"));
-  p.part = text_at(value, "part");
-  p.edge = text_at(value, "edge");
-  p.region = text_at(value, "region");
+  p.part = ThingPart(text_at(value, "part"));
+  p.edge = edge_from_words(text_at(value, "edge"));
+  p.region = region_from_words(text_at(value, "region"));
   if (const auto columns = value.find("columns"); columns != value.end()) p.columns = columns->get<int>();
   relation.hard = flag_at(value, "hard", true);
   relation.weight = value.value("weight", relation.weight);

@@ -59,9 +59,9 @@ ordered_json json_of(const Relation& relation) {
   add_length("width", p.width);
   add_length("height", p.height);
   if (p.side) out["side"] = name_of(*p.side);
-  if (!p.part.empty()) out["part"] = p.part;
-  if (!p.edge.empty()) out["edge"] = p.edge;
-  if (!p.region.empty()) out["region"] = p.region;
+  if (!p.part.empty()) out["part"] = p.part.text();
+  if (p.edge) out["edge"] = name_of(*p.edge);
+  if (p.region) out["region"] = name_of(*p.region);
   if (p.columns) out["columns"] = *p.columns;
   out["hard"] = relation.hard;
   if (relation.weight != Relation{}.weight) out["weight"] = relation.weight;

@@ -203,6 +203,7 @@ class SceneRewriter {
     if (const auto side = relation.find("side"); side != relation.end() && side->is_string()) {
       if (const auto known = side_from_name(side->get<std::string>())) *side = name_of(*known);
     }
+    settle_edge_and_region(relation, at, notes_);
     for (const char* key : {"distance", "min", "max", "gap", "depth", "width", "height"}) scale_member(relation, key);
   }
 

@@ -24,6 +24,10 @@ Status bring_into_form(nlohmann::json& scene, std::string_view units, std::vecto
 // The same for a room alone (the `room` member).
 void bring_room_into_form(nlohmann::json& room, std::string_view units, std::vector<Note>& notes);
 
+// Writes the edge and the region of a relation by their names ("the back-left corner": "back left"); one that says nothing for its type
+// and is none is left out. What is none of them stays, for the schema to name.
+void settle_edge_and_region(nlohmann::json& relation, const std::string& at, std::vector<Note>& notes);
+
 // 1 for "m", 0.01 for "cm"…; empty for a unit that is not known. "" is metres.
 std::optional<double> metres_per_unit(std::string_view unit);
 

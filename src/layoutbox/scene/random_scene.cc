@@ -125,9 +125,10 @@ Relation RandomScenes::relation(int index, const std::vector<std::string>& objec
   if (coin()) p.width = number(0, 900);
   if (coin()) p.height = number(0, 900);
   if (coin()) p.side = static_cast<Side>(number(0, 7));
-  p.part = text();
-  p.edge = text();
-  p.region = text();
+  if (coin()) p.part = static_cast<PartWord>(number(0, 8));
+  if (const std::vector<Edge> edges = edges_of(relation.type); !edges.empty() && coin())
+    p.edge = edges[static_cast<std::size_t>(number(0, static_cast<int>(edges.size()) - 1))];
+  if (coin()) p.region = static_cast<RoomRegion>(number(0, 8));
   if (coin()) p.columns = number(1, 9);
   relation.hard = coin();
   relation.weight = number(0, 200);

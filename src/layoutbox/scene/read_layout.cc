@@ -73,6 +73,14 @@ void for_each_in(const json& document, const char* key, Function function) {
   }
 }
 
+void settle_relations(json& document) {
+  if (!document.is_object() || !document.contains("relations")) return;
+  std::vector<Note> unheard;  // a layout has no notes
+  for (json& relation : document.at("relations")) {
+    if (relation.is_object()) settle_edge_and_region(relation, {}, unheard);
+  }
+}
+
 Layout layout_from(const json& document) {
   Layout layout;
   layout.prompt = text_at(document, "prompt");
@@ -110,6 +118,7 @@ Layout layout_from(const json& document) {
 Result<Layout> layout_from_json(json document) {
   try {
     drop_nulls(document);
+    settle_relations(document);
     if (std::vector<Error> errors = check_against_schema(document, SchemaName::kLayout); !errors.empty())
       return Failure(combined(std::move(errors)));
     Layout layout = layout_from(document);

@@ -297,6 +297,16 @@ INSTANTIATE_TEST_SUITE_P(
                 "/room/polygon", ErrorCode::kGeometry, "crosses"},
         BadCase{R"({"materials": [{"id": "a", "color": [1, 1]}]})", "/materials/0/color", ErrorCode::kSchema, "3 items"},
         BadCase{R"({"materials": [{"id": "a", "color": [-1, 0, 0]}]})", "/materials/0/color/0", ErrorCode::kSchema, "at least 0"},
+        BadCase{R"({"constraints": [{"type": "edgeAlign", "targets": ["bed"], "relativeTo": "desk", "edge": "nonsense"}]})",
+                "/constraints/0/edge", ErrorCode::kSchema, "give one of: center, left, right, front, back, bottom, top, min, max"},
+        BadCase{R"({"constraints": [{"type": "edgeAlign", "targets": ["bed"], "relativeTo": "desk", "edge": "max"}]})",
+                "/constraints/0/edge", ErrorCode::kSchema, "give one of: front, back, left, right, center"},
+        BadCase{R"({"constraints": [{"type": "inRegion", "targets": ["bed"], "region": "leftish"}]})", "/constraints/0/region",
+                ErrorCode::kSchema, "front left"},
+        BadCase{R"({"constraints": [{"type": "inRegion", "targets": ["bed"], "region": "left right"}]})", "/constraints/0/region",
+                ErrorCode::kSchema, "\"left right\""},
+        BadCase{R"({"constraints": [{"type": "on", "targets": ["bed"], "relativeTo": "floor", "part": "xyz"}]})", "/constraints/0/part",
+                ErrorCode::kSchema, "give some of: back, front, left, right, center, corner, edge, end, top"},
         BadCase{R"({"format": "layoutbox/scene@2"})", "/format", ErrorCode::kSchema, "layoutbox/scene@1"}));
 
 TEST(BadScene, AWallThatDoesNotMeetIsNamedWithItsGap) {
@@ -326,6 +336,67 @@ TEST(SceneSchema, KnowsExactlyTheRelationsOfTheTable) {
   std::vector<std::string> table;
   for (const RelationRow& row : relation_table()) table.emplace_back(row.name);
   EXPECT_THAT(schema["definitions"]["relationType"]["enum"].get<std::vector<std::string>>(), testing::ElementsAreArray(table));
+}
+
+TEST(SceneSchema, KnowsExactlyTheParametersAndTheirValues) {
+  const json schema = json::parse(embedded::scene_schema_json);
+  const json& members = schema["definitions"]["relation"]["properties"];
+  const auto values = [&](const char* key) { return members[key]["enum"].get<std::vector<std::string>>(); };
+  EXPECT_THAT(values("edge"), testing::ElementsAreArray(edge_names()));
+  EXPECT_THAT(values("region"), testing::ElementsAreArray(region_names()));
+  for (const std::string_view word : part_words()) {
+    EXPECT_THAT(members["part"]["description"].get<std::string>(), HasSubstr(std::string(word)));
+  }
+  for (const RelationRow& row : relation_table()) {
+    EXPECT_EQ(row.reads("edge"), !edges_of(row.type).empty()) << row.name;
+    for (const char* key : {"edge", "region", "part", "gap", "min"}) EXPECT_TRUE(members.contains(key));
+  }
+}
+
+Relation read_relation(json relation, std::vector<Note>* notes = nullptr) {
+  json scene = paper_scene();
+  relation["targets"] = {"bed"};
+  if (!relation.contains("relativeTo") && relation["type"] != "inRegion") relation["relativeTo"] = "desk";
+  scene["constraints"] = {relation};
+  const SceneGraph read_scene = read(scene);
+  if (notes != nullptr) *notes = read_scene.notes;
+  return read_scene.relations.empty() ? Relation{} : read_scene.relations[0];
+}
+
+TEST(Places, EveryValueIsReadAndWrittenByItsName) {
+  for (const std::string_view name : edge_names()) {
+    const Relation relation = read_relation({{"type", "align"}, {"edge", name}});
+    ASSERT_TRUE(relation.parameters.edge) << name;
+    EXPECT_EQ(name_of(*relation.parameters.edge), name);
+  }
+  for (const std::string_view name : region_names()) {
+    const Relation relation = read_relation({{"type", "inRegion"}, {"region", name}});
+    ASSERT_TRUE(relation.parameters.region) << name;
+    EXPECT_EQ(name_of(*relation.parameters.region), name);
+  }
+  for (const std::string_view name : part_words()) {
+    const Relation relation = read_relation({{"type", "on"}, {"part", name}});
+    ASSERT_EQ(relation.parameters.part.words().size(), 1u) << name;
+    EXPECT_EQ(name_of(relation.parameters.part.words()[0]), name);
+  }
+}
+
+TEST(Places, AreReadAsPeopleWriteThem) {
+  std::vector<Note> notes;
+  EXPECT_EQ(read_relation({{"type", "align"}, {"edge", "Centre"}}, &notes).parameters.edge, Edge::kCenter);
+  const auto has_note = [&](const char* code) {
+    return std::ranges::any_of(notes, [&](const Note& note) { return note.code == code && note.pointer == "/constraints/0/edge"; });
+  };
+  EXPECT_TRUE(has_note("converted"));
+  EXPECT_EQ(read_relation({{"type", "edgeAlign"}, {"edge", "left edge"}}).parameters.edge, Edge::kLeft);
+  EXPECT_EQ(read_relation({{"type", "inRegion"}, {"region", "the left-back corner"}}).parameters.region, RoomRegion::kBackLeft);
+  EXPECT_EQ(read_relation({{"type", "inRegion"}, {"region", "center"}}).parameters.region, RoomRegion::kMiddle);
+  EXPECT_EQ(read_relation({{"type", "inRegion"}, {"region", "middle left"}}).parameters.region, RoomRegion::kLeft);
+  EXPECT_EQ(read_relation({{"type", "on"}, {"part", "left corner"}}).parameters.part, (ThingPart{PartWord::kLeft, PartWord::kCorner}));
+  EXPECT_TRUE(read_relation({{"type", "on"}, {"part", "the middle"}}).parameters.part.has(PartWord::kCenter));
+  // What a type does not read says nothing.
+  EXPECT_FALSE(read_relation({{"type", "near"}, {"edge", "nonsense"}}, &notes).parameters.edge);
+  EXPECT_TRUE(has_note("ignored"));
 }
 
 TEST(Origins, AreReadAndOlderFilesOnlySayAssumed) {

@@ -29,6 +29,17 @@ const RelationRow* find_relation(std::string_view name) {
   return nullptr;
 }
 
+bool RelationRow::reads(std::string_view parameter) const {
+  std::string_view rest = parameters;
+  for (std::size_t at = 0; at != std::string_view::npos; rest.remove_prefix(at + 2)) {
+    at = rest.find(", ");
+    const std::string_view item = rest.substr(0, at);
+    if (item.substr(0, item.find('=')) == parameter) return true;
+    if (at == std::string_view::npos) break;
+  }
+  return false;
+}
+
 std::optional<double> relation_default(RelationType type, std::string_view parameter) {
   std::string_view rest = relation_row(type).parameters;
   while (!rest.empty()) {

@@ -29,6 +29,8 @@ struct RelationRow {
   unsigned reference_kinds;     // flags of ReferenceKind
   std::string_view parameters;  // "gap=0.02, side": the parameters it reads and their defaults (metres)
   std::string_view sentence;    // "{targets} stands with its back against {references}"
+
+  bool reads(std::string_view parameter) const;
 };
 
 // All rows, in the order of the enum.

@@ -1,6 +1,7 @@
 #include "layoutbox/scene/scene_check.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -66,6 +67,27 @@ bool is_opening(const std::vector<Opening>& openings, const std::string& id) {
   return std::ranges::any_of(openings, [&](const Opening& o) { return same_name(o.id, id) || same_name(name_of(o.type), id); });
 }
 
+// Which edges there are depends on the type, which parts on the things: `spaces` has their names where the file says them.
+template <class Add>
+void check_places(const Relation& relation, const RelationRow& row, const Names& names, const Add& add) {
+  const RelationParameters& given = relation.parameters;
+  if (row.reads("edge") && given.edge) {
+    const std::vector<Edge> edges = edges_of(relation.type);
+    std::vector<std::string_view> known;
+    for (const Edge edge : edges) known.push_back(name_of(edge));
+    if (std::ranges::find(edges, *given.edge) == edges.end()) {
+      add(ErrorCode::kSchema, fmt::format("{} has no edge \"{}\"", row.name, name_of(*given.edge)), "/edge",
+          fmt::format("give one of: {}", fmt::join(known, ", ")));
+    }
+  }
+  if (!row.reads("part") || given.part.empty() || given.part.is_words()) return;
+  const bool may_be_space = std::ranges::any_of(relation.references, [&](const std::string& id) { return is_object(names, id); });
+  if (!may_be_space && !relation.references.empty()) {
+    add(ErrorCode::kSchema, fmt::format("\"{}\" is no part of {}", given.part.text(), relation.references.front()), "/part",
+        fmt::format("give some of: {}", fmt::join(part_words(), ", ")));
+  }
+}
+
 void check_relation(const Relation& relation, const std::string& pointer, const Names& names, const Room& room,
                     std::vector<Error>& errors) {
   const RelationRow& row = relation_row(relation.type);
@@ -96,6 +118,7 @@ void check_relation(const Relation& relation, const std::string& pointer, const 
   if (relation.parameters.min && relation.parameters.max && *relation.parameters.min > *relation.parameters.max) {
     add(ErrorCode::kSchema, fmt::format("{} has a min above its max", row.name), "/min", "let min be at most max");
   }
+  check_places(relation, row, names, add);
 }
 
 void check_walls(const Room& room, std::vector<Error>& errors) {

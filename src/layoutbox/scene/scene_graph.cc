@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "layoutbox/scene/layout.h"
+#include "layoutbox/scene/name_tables.h"
 
 namespace layoutbox {
 namespace {
@@ -30,29 +31,6 @@ const Wall* find_wall_in(const std::vector<Wall>& walls, std::string_view id_or_
   }
   const std::optional<Side> side = room_side_from_word(id_or_word);
   return side ? wall_on_side(walls, *side) : nullptr;
-}
-
-// One list per enum, in the order of its values: both directions read it.
-constexpr std::string_view kMounts[] = {"floor", "wall", "ceiling", "surface", "hung"};
-constexpr std::string_view kSides[] = {"front", "back", "left", "right", "top", "bottom", "long", "short"};
-constexpr std::string_view kAxes[] = {"X", "Y", "Z"};
-constexpr std::string_view kOpeningTypes[] = {"door", "window", "open"};
-constexpr std::string_view kSwings[] = {"in-left", "in-right", "out-left", "out-right", "sliding", "none"};
-constexpr std::string_view kSizeSources[] = {"unknown", "catalog", "inferred", "user"};
-constexpr std::string_view kOrigins[] = {"asked", "concluded", "added", "assumed"};
-constexpr std::string_view kLayoutStatuses[] = {"solved", "relaxed", "fallback"};
-
-template <class Enum, std::size_t N>
-std::string_view name_in(const std::string_view (&names)[N], Enum value) {
-  return names[static_cast<std::size_t>(value)];
-}
-
-template <class Enum, std::size_t N>
-std::optional<Enum> value_in(const std::string_view (&names)[N], std::string_view name) {
-  for (std::size_t i = 0; i < N; ++i) {
-    if (same_name(names[i], name)) return static_cast<Enum>(i);
-  }
-  return std::nullopt;
 }
 
 }  // namespace
@@ -108,22 +86,22 @@ bool Layout::lists_as_given_up(std::string_view relation) const {
 }
 const Wall* Layout::find_wall(std::string_view id_or_word) const { return find_wall_in(room.walls, id_or_word); }
 
-std::string_view name_of(Mount mount) { return name_in(kMounts, mount); }
-std::string_view name_of(Side side) { return name_in(kSides, side); }
-std::string_view name_of(Axis axis) { return name_in(kAxes, axis); }
-std::string_view name_of(OpeningType type) { return name_in(kOpeningTypes, type); }
-std::string_view name_of(Swing swing) { return name_in(kSwings, swing); }
-std::string_view name_of(SizeSource source) { return name_in(kSizeSources, source); }
-std::string_view name_of(Origin origin) { return name_in(kOrigins, origin); }
-std::string_view name_of(LayoutStatus status) { return name_in(kLayoutStatuses, status); }
+std::string_view name_of(Mount mount) { return name_in(kMountNames, mount); }
+std::string_view name_of(Side side) { return name_in(kSideNames, side); }
+std::string_view name_of(Axis axis) { return name_in(kAxisNames, axis); }
+std::string_view name_of(OpeningType type) { return name_in(kOpeningTypeNames, type); }
+std::string_view name_of(Swing swing) { return name_in(kSwingNames, swing); }
+std::string_view name_of(SizeSource source) { return name_in(kSizeSourceNames, source); }
+std::string_view name_of(Origin origin) { return name_in(kOriginNames, origin); }
+std::string_view name_of(LayoutStatus status) { return name_in(kLayoutStatusNames, status); }
 
-std::optional<Mount> mount_from_name(std::string_view name) { return value_in<Mount>(kMounts, name); }
-std::optional<Side> side_from_name(std::string_view name) { return value_in<Side>(kSides, name); }
-std::optional<Axis> axis_from_name(std::string_view name) { return value_in<Axis>(kAxes, name); }
-std::optional<OpeningType> opening_type_from_name(std::string_view name) { return value_in<OpeningType>(kOpeningTypes, name); }
-std::optional<Swing> swing_from_name(std::string_view name) { return value_in<Swing>(kSwings, name); }
-std::optional<SizeSource> size_source_from_name(std::string_view name) { return value_in<SizeSource>(kSizeSources, name); }
-std::optional<Origin> origin_from_name(std::string_view name) { return value_in<Origin>(kOrigins, name); }
-std::optional<LayoutStatus> layout_status_from_name(std::string_view name) { return value_in<LayoutStatus>(kLayoutStatuses, name); }
+std::optional<Mount> mount_from_name(std::string_view name) { return value_in<Mount>(kMountNames, name); }
+std::optional<Side> side_from_name(std::string_view name) { return value_in<Side>(kSideNames, name); }
+std::optional<Axis> axis_from_name(std::string_view name) { return value_in<Axis>(kAxisNames, name); }
+std::optional<OpeningType> opening_type_from_name(std::string_view name) { return value_in<OpeningType>(kOpeningTypeNames, name); }
+std::optional<Swing> swing_from_name(std::string_view name) { return value_in<Swing>(kSwingNames, name); }
+std::optional<SizeSource> size_source_from_name(std::string_view name) { return value_in<SizeSource>(kSizeSourceNames, name); }
+std::optional<Origin> origin_from_name(std::string_view name) { return value_in<Origin>(kOriginNames, name); }
+std::optional<LayoutStatus> layout_status_from_name(std::string_view name) { return value_in<LayoutStatus>(kLayoutStatusNames, name); }
 
 }  // namespace layoutbox

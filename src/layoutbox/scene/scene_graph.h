@@ -13,13 +13,12 @@
 #include <vector>
 
 #include "layoutbox/base/units.h"
+#include "layoutbox/scene/relation_parameters.h"
 #include "layoutbox/scene/relation_table.h"
 
 namespace layoutbox {
 
 enum class Mount { kFloor, kWall, kCeiling, kSurface, kHung };
-enum class Side { kFront, kBack, kLeft, kRight, kTop, kBottom, kLong, kShort };
-enum class Axis { kX, kY, kZ };
 enum class OpeningType { kDoor, kWindow, kOpen };
 // Where a door's hinge is and which way it turns, seen from inside the room looking at the wall.
 enum class Swing { kInLeft, kInRight, kOutLeft, kOutRight, kSliding, kNone };
@@ -128,17 +127,6 @@ struct SceneObject {
   std::vector<std::string> tags;
   Origin origin = Origin::kAsked;  // kAssumed: the usual furniture of a room of which none was named
   bool asked() const { return origin == Origin::kAsked; }
-};
-
-// Parameters of a relation; which of them a type reads stands in the relation table. Absent = the table's default.
-struct RelationParameters {
-  std::optional<Axis> axis;
-  std::optional<Mm> distance, min, max, gap, depth, width, height;
-  std::optional<Side> side;
-  std::string part;    // "center", "left", "right", "front", "back", "corner", "left front corner", a space's name…
-  std::string edge;    // "center", "left", "right", "front", "back", "min", "max"
-  std::string region;  // "left", "right", "front", "back", "middle"
-  std::optional<int> columns;
 };
 
 struct Relation {

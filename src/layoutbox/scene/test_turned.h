@@ -29,6 +29,13 @@ inline std::string swapped_words(const std::string& text, const Words& changes) 
   return out;
 }
 
+inline void swap_words(std::optional<Edge>& edge, const Words& changes) {
+  if (edge) edge = edge_from_words(swapped_words(std::string(name_of(*edge)), changes));
+}
+inline void swap_words(std::optional<RoomRegion>& region, const Words& changes) {
+  if (region) region = region_from_words(swapped_words(std::string(name_of(*region)), changes));
+}
+
 inline Side other_side(Side side) { return side == Side::kLeft ? Side::kRight : side == Side::kRight ? Side::kLeft : side; }
 
 // Left and right of the room's own axes, where a relation speaks of those and not of the frame of an object.
@@ -43,11 +50,11 @@ inline void turn(Relation& relation) {
     relation.type = RelationType::kRow, p.axis = Axis::kX;
   } else if (p.axis && !speaks_of_own_axes(relation.type)) {
     // The lesser y becomes the greater x.
-    if (*p.axis == Axis::kY) p.edge = swapped_words(p.edge, {{"min", "max"}, {"max", "min"}});
+    if (*p.axis == Axis::kY) swap_words(p.edge, {{"min", "max"}, {"max", "min"}});
     p.axis = *p.axis == Axis::kX ? Axis::kY : *p.axis == Axis::kY ? Axis::kX : Axis::kZ;
   }
-  p.region = swapped_words(p.region, kQuarter);
-  if (speaks_of_room_edges(relation.type)) p.edge = swapped_words(p.edge, kQuarter);
+  swap_words(p.region, kQuarter);
+  if (speaks_of_room_edges(relation.type)) swap_words(p.edge, kQuarter);
   if (relation.type == RelationType::kGrid) {
     const int n = static_cast<int>(relation.targets.size());
     const int columns = p.columns.value_or(static_cast<int>(std::ceil(std::sqrt(n))));
@@ -59,8 +66,10 @@ inline void mirror(Relation& relation) {
   static const Words kMirror{{"left", "right"}, {"right", "left"}};
   RelationParameters& p = relation.parameters;
   if (p.side) p.side = other_side(*p.side);
-  for (std::string* words : {&p.part, &p.edge, &p.region}) *words = swapped_words(*words, kMirror);
-  if (p.axis == Axis::kX) p.edge = swapped_words(p.edge, {{"min", "max"}, {"max", "min"}});
+  p.part = ThingPart(swapped_words(p.part.text(), kMirror));
+  swap_words(p.edge, kMirror);
+  swap_words(p.region, kMirror);
+  if (p.axis == Axis::kX) swap_words(p.edge, {{"min", "max"}, {"max", "min"}});
   if (relation.type == RelationType::kLeftOf || relation.type == RelationType::kRightOf) {
     relation.type = relation.type == RelationType::kLeftOf ? RelationType::kRightOf : RelationType::kLeftOf;
   }

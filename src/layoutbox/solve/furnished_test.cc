@@ -233,7 +233,7 @@ TEST(Furnished, ThingsAreNotHeapedInOneHalfOfALargeRoom) {
 
 RelationParameters at_part(const std::string& part) {
   RelationParameters parameters;
-  parameters.part = part;
+  parameters.part = ThingPart(part);
   return parameters;
 }
 

@@ -25,7 +25,7 @@ TEST(RandomScenes, AreSoundAndClaimTruly) {
     const std::vector<SceneObject> objects = maker.raw().objects;
     for (std::size_t i = 0; i < objects.size(); ++i) {
       RelationParameters p;
-      p.region = below(2) ? "left" : "back";
+      p.region = below(2) ? RoomRegion::kLeft : RoomRegion::kBack;
       if (below(3) == 0) maker.relate(rooms[below(rooms.size())], {objects[i].id}, {}, p);
       if (i > 0 && below(2) == 0) maker.relate(pairs[below(pairs.size())], {objects[i].id}, {objects[below(i)].id});
     }

@@ -32,7 +32,7 @@ Layout solved_fully(const SceneGraph& scene) {
 
 RelationParameters part(const std::string& words) {
   RelationParameters p;
-  p.part = words;
+  p.part = ThingPart(words);
   return p;
 }
 

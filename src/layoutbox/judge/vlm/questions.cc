@@ -264,7 +264,7 @@ std::string sentence_of(const Relation& relation, const Layout& layout) {
   metres("min", given.min);
   metres("max", given.max);
   metres("distance", given.distance);
-  if (!given.region.empty()) replace_all(text, "{region}", given.region);
+  if (given.region) replace_all(text, "{region}", std::string(name_of(*given.region)));
   return text.find('{') == std::string::npos ? text : std::string{};
 }
 

@@ -161,6 +161,25 @@ TEST(Draft, what_is_no_thing_and_no_door_is_left_out) {
   EXPECT_EQ(scene.room.openings[1].id, "door_1_2");
 }
 
+TEST(Draft, places_are_read_as_meant_or_left_out) {
+  const json scene = {{"room", json::object()},
+                      {"furniture", {{{"id", "desk_1"}, {"category", "desk"}}, {{"id", "lamp_1"}, {"category", "table_lamp"}}}},
+                      {"constraints",
+                       {{{"type", "inRegion"}, {"targets", {"desk_1"}}, {"region", "the back-left corner"}},
+                        {{"type", "on"}, {"targets", {"lamp_1"}}, {"relativeTo", "desk_1"}, {"part", "left corner"}},
+                        {{"type", "edgeAlign"}, {"targets", {"lamp_1"}}, {"relativeTo", "desk_1"}, {"edge", "zzzzzzzz"}},
+                        {{"type", "on"}, {"targets", {"lamp_1", "desk_1"}}, {"relativeTo", "floor"}, {"part", "xyz"}}}}};
+  const Reading reading = read_document(scene.dump(), Catalog::builtin(), {}, Leniency::kNormal);
+  ASSERT_THAT(reading.faults, IsEmpty()) << reading.faults[0].message;
+  ASSERT_TRUE(reading.draft);
+  const std::vector<Relation>& relations = reading.draft->scene.relations;
+  ASSERT_GE(relations.size(), 4u);
+  EXPECT_EQ(relations[0].parameters.region, RoomRegion::kBackLeft);
+  EXPECT_TRUE(relations[1].parameters.part.has(PartWord::kCorner));
+  EXPECT_FALSE(relations[2].parameters.edge);
+  EXPECT_TRUE(relations[3].parameters.part.empty());
+}
+
 TEST(Draft, a_room_of_the_size_of_a_desk_is_none) {
   const auto width_of = [](const std::string& dims) {
     const std::string scene = R"({"room":{"dims":)" + dims + R"(},"furniture":[{"id":"bed_1","category":"bed"}]})";

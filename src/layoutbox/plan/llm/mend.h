@@ -24,5 +24,9 @@ void mend_objects(nlohmann::json& scene, const Catalog& catalog, Notes& notes);
 void mend_room(nlohmann::json& scene, Notes& notes);
 // Names of things and walls that were nearly right, references too many or none, relations of a thing to itself, said twice.
 void mend_relations(nlohmann::json& scene, Notes& notes);
+// Edges and regions in other words ("the back-left corner"); before the schema looks for the nearest of the right names.
+void mend_edges_and_regions(nlohmann::json& scene, Notes& notes);
+// Parts that nothing of that kind has. After mend_objects and mend_relations.
+void mend_parts(nlohmann::json& scene, const Catalog& catalog, Notes& notes);
 
 }  // namespace layoutbox::llm

@@ -277,10 +277,12 @@ void mend_relations(json& scene, Notes& notes) {
 void mend_scene(json& scene, const Catalog& catalog, Notes& notes) {
   mend_form(scene, notes);
   mend_types(scene, notes);
+  mend_edges_and_regions(scene, notes);
   mend_by_schema(scene, notes);
   mend_objects(scene, catalog, notes);
   mend_room(scene, notes);
   mend_relations(scene, notes);
+  mend_parts(scene, catalog, notes);
 }
 
 }  // namespace layoutbox::llm

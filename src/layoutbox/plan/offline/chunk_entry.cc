@@ -97,8 +97,8 @@ void Chunker::add_opening(NounKind kind, std::size_t end) {
 
 // "on the left", said of the room.
 void Chunker::mean_hand(Chunk& place) {
-  static const PhraseSenses kLeft = {{RelationType::kInRegion, Direction::kAlone, {}, "left", {}}};
-  static const PhraseSenses kRight = {{RelationType::kInRegion, Direction::kAlone, {}, "right", {}}};
+  static const PhraseSenses kLeft = {{RelationType::kInRegion, Direction::kAlone, {}, RoomRegion::kLeft, {}}};
+  static const PhraseSenses kRight = {{RelationType::kInRegion, Direction::kAlone, {}, RoomRegion::kRight, {}}};
   for (const PhraseSense& sense : *place.phrase.senses) {
     if (sense.direction != Direction::kAlone) continue;
     if (sense.type == RelationType::kLeftOf) place.phrase.senses = &kLeft;

@@ -94,8 +94,11 @@ struct PhraseSense {
   enum class Direction { kDirect, kInverse, kAlone };
   RelationType type;
   Direction direction = Direction::kDirect;
-  std::string part, region;
+  ThingPart part;
+  std::optional<RoomRegion> region;
   std::optional<Side> side;
+  enum class Order { kNone, kAsSaid, kReversed } order = Order::kNone;  // of a row: "from left to right"
+  bool of_room = false;                                                 // "in the corner of" a room, not of a thing
 };
 
 using PhraseSenses = std::vector<PhraseSense>;

@@ -87,8 +87,11 @@ PhraseSense sense_of(RelationType type, PhraseSense::Direction direction, const 
   PhraseSense sense{type, direction, {}, {}, {}};
   if (!item.is_object()) return sense;
   for (const WordList::Member member : item) {
-    if (member.key == "part") sense.part = member.value.text();
-    if (member.key == "region") sense.region = member.value.text();
+    if (member.key == "part") sense.part = ThingPart(std::string(member.value.text()));
+    if (member.key == "region") sense.region = region_from_words(member.value.text());
+    if (member.key == "order")
+      sense.order = member.value.text() == "reversed" ? PhraseSense::Order::kReversed : PhraseSense::Order::kAsSaid;
+    if (member.key == "of") sense.of_room = member.value.text() == "room";
     if (member.key == "side") sense.side = side_from_name(member.value.text());
   }
   return sense;

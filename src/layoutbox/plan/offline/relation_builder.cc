@@ -309,8 +309,8 @@ void RelationBuilder::name_shelf(PhraseSense& sense, const NounPhrase& said, con
     });
   };
   if (shelves.size() < 2) return;
-  if (which({"top", "upper", "highest"})) sense.part = shelves.back();
-  if (which({"bottom", "lower", "lowest"})) sense.part = shelves.front();
+  if (which({"top", "upper", "highest"})) sense.part = ThingPart(shelves.back());
+  if (which({"bottom", "lower", "lowest"})) sense.part = ThingPart(shelves.front());
 }
 
 void RelationBuilder::note_no_place(const Link& link, const Mention& target) {

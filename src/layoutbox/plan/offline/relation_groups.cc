@@ -146,8 +146,8 @@ bool RelationBuilder::add_at_sides(const Link& link, const PhraseSense& sense, c
   // "a lamp at each end" of a console table: on it.
   if (lie_on(link, targets, host)) {
     for (std::size_t t = 0; t < targets.size(); ++t) {
-      PhraseSense on{R::kOn, Direction::kDirect, t % 2 == 0 ? "left" : "right", {}, {}};
-      if (targets.size() > 2) on.part.clear();
+      PhraseSense on{R::kOn, Direction::kDirect, t % 2 == 0 ? PartWord::kLeft : PartWord::kRight, {}, {}};
+      if (targets.size() > 2) on.part = {};
       add(link, R::kOn, {id(targets[t])}, {id(host)}, on);
     }
     return true;
@@ -210,8 +210,8 @@ void RelationBuilder::add_group(const Link& link, PhraseSense sense, const std::
     return;
   }
   if (sense.type == R::kEachSideOf && references.size() == 1 && add_at_sides(link, sense, targets, references.front())) return;
-  if (sense.type == R::kRow && !sense.part.empty()) {  // "from left to right": each left of the next
-    const bool reverse = sense.part == "reverse";
+  if (sense.type == R::kRow && sense.order != PhraseSense::Order::kNone) {  // "from left to right": each left of the next
+    const bool reverse = sense.order == PhraseSense::Order::kReversed;
     for (std::size_t t = 1; t < targets.size(); ++t)
       add(link, R::kLeftOf, {id(targets[reverse ? t : t - 1])}, {id(targets[reverse ? t - 1 : t])});
     return;

@@ -92,7 +92,7 @@ void RelationBuilder::add_front() {
     const bool wall =
         !r.references.empty() && (r.references.front() == "front" || r.references.front() == "back") &&
         (r.why.find("front") != std::string::npos || r.why.find("back") != std::string::npos || r.why.find("rear") != std::string::npos);
-    return (r.type == R::kInRegion && (r.parameters.region == "front" || r.parameters.region == "back")) || wall;
+    return (r.type == R::kInRegion && (r.parameters.region == RoomRegion::kFront || r.parameters.region == RoomRegion::kBack)) || wall;
   };
   if (std::none_of(scene_.relations.begin(), scene_.relations.end(), says_front_or_back)) return;
   for (const SceneObject& object : scene_.objects) {
@@ -106,7 +106,7 @@ void RelationBuilder::add_front() {
     const bool many = std::count_if(scene_.relations.begin(), scene_.relations.end(), looks) >= 2;
     const std::vector<std::size_t>& own = relations_of(object.id);
     const bool at_front = std::any_of(own.begin(), own.end(), [&](std::size_t i) {
-      return scene_.relations[i].type == R::kInRegion && scene_.relations[i].parameters.region == "front";
+      return scene_.relations[i].type == R::kInRegion && scene_.relations[i].parameters.region == RoomRegion::kFront;
     });
     const bool placed = std::any_of(own.begin(), own.end(), [&](std::size_t i) {
       const Relation& r = scene_.relations[i];
@@ -128,7 +128,8 @@ void RelationBuilder::add_end_walls() {
   for (std::size_t r = 0; r < said; ++r) {
     const Relation region = scene_.relations[r];
     if (region.type != R::kInRegion || region.targets.size() != 1 || region.origin != Origin::kAsked) continue;
-    if (!one_of(region.parameters.region, {"back", "front", "left", "right"})) continue;
+    const std::string_view end = region.parameters.region ? name_of(*region.parameters.region) : std::string_view();
+    if (!one_of(end, {"back", "front", "left", "right"})) continue;
     if (region.why.find(" half") != std::string::npos) continue;  // anywhere in it
     const SceneObject* object = object_of(region.targets.front());
     const CatalogEntry* entry = object == nullptr ? nullptr : catalog_.find(object->category);
@@ -141,7 +142,7 @@ void RelationBuilder::add_end_walls() {
     if (!hangs && !stands && !flat) continue;
     const std::vector<std::size_t>& own = relations_of(object->id);
     if (std::ranges::any_of(own, [&](std::size_t i) { return at_wall(scene_.relations[i].type); })) continue;
-    add_habit(hangs ? R::kOnWall : R::kAgainstWall, region.targets, {region.parameters.region}, 80,
+    add_habit(hangs ? R::kOnWall : R::kAgainstWall, region.targets, {std::string(end)}, 80,
               "what stands at walls and at that end stands at the wall there");
   }
 }

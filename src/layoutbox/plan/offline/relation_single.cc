@@ -21,7 +21,7 @@ void RelationBuilder::add_in_room(const Link& link, const PhraseSense& sense, co
     return;
   }
   // "at the very center of the compartment": whatever the room is called
-  if ((sense.type == R::kIn || sense.type == R::kOn) && sense.part == "center") {
+  if ((sense.type == R::kIn || sense.type == R::kOn) && sense.part.has(PartWord::kCenter)) {
     for (const int item : target.items) add(link, R::kCenterOfRoom, {id(item)}, {});
     return;
   }
@@ -67,12 +67,12 @@ void RelationBuilder::settle_sense(const Link& link, PhraseSense& sense, const M
   // What lies on something itself has things beside it.
   const bool lies = host.entry == nullptr && !said_support(id(references.front())).empty();
   if (!lies && is_side_on(link, sense, target.noun, host)) {
-    sense.part = sense.type == R::kLeftOf ? "left" : "right";
+    sense.part = sense.type == R::kLeftOf ? PartWord::kLeft : PartWord::kRight;
     sense.type = R::kOn;
   }
   if (sense.type == R::kOn && sense.part.empty() && says_top(link) && host.entry != nullptr && host.entry->top_carries &&
       std::ranges::any_of(host.entry->spaces, &SpaceFormula::carries))
-    sense.part = "top";  // of a locker, not in it
+    sense.part = PartWord::kTop;  // of a locker, not in it
   if (sense.type == R::kOpposite && mount == Mount::kSurface && document_.tokens[link.first].text == "across" &&
       link.last - link.first <= 3 && mount_of(host) == Mount::kFloor && !link.implied)
     sense.type = R::kOn;  // "a tray across the tub"
@@ -193,7 +193,7 @@ void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Ment
   if (hangs_over(sense, target, references)) sense.type = R::kAbove;
   if (add_before_seats(link, sense, target, references)) return;
   // "magazines at one end" of a table lie on it.
-  if (sense.type == R::kAlongSide && mount_of(target.noun) == Mount::kSurface) sense = {R::kOn, Direction::kDirect, "end", {}, {}};
+  if (sense.type == R::kAlongSide && mount_of(target.noun) == Mount::kSurface) sense = {R::kOn, Direction::kDirect, PartWord::kEnd, {}, {}};
   if (sense.type == R::kIn && !has_inside(noun_of_item(references.front()))) sense.type = R::kOn;
   if (references.size() == 1 && add_by_one(link, sense, target, references.front())) return;
   if (add_under_hung(link, sense, target, references) || add_by_carrier(link, sense, target, references.front())) return;

@@ -32,9 +32,9 @@ bool allowed(const PhraseSense& sense, const NounPhrase& reference) {
     case R::kOnCeiling: return reference.kind == NounKind::kCeiling;
     case R::kUnderWindow: return reference.kind == NounKind::kWindow;
     case R::kOn:
-      if (reference.kind == NounKind::kAbstract && sense.part == "center") return false;
+      if (reference.kind == NounKind::kAbstract && sense.part.has(PartWord::kCenter)) return false;
       return (kind_flags(reference) & kObject) != 0 || reference.kind == NounKind::kFloor || reference.kind == NounKind::kWindow;
-    case R::kCorner: return reference.kind == NounKind::kCorner || (reference.kind == NounKind::kRoom && sense.region == "corner");
+    case R::kCorner: return reference.kind == NounKind::kCorner || (reference.kind == NounKind::kRoom && sense.of_room);
     default:
       if (reference.kind == NounKind::kAbstract || reference.kind == NounKind::kOutsideRoom) return false;
       return (row.reference_kinds & kind_flags(reference)) != 0;
@@ -72,7 +72,7 @@ class SenseChooser {
   static Choice if_any(std::optional<PhraseSense> sense) { return {sense.has_value(), std::move(sense)}; }
 
   PhraseSense own(R type) const { return {type, direction_, {}, {}, {}}; }
-  PhraseSense on_part(std::string part) const {
+  PhraseSense on_part(ThingPart part) const {
     PhraseSense sense = own(R::kOn);
     sense.part = std::move(part);
     return sense;
@@ -121,8 +121,7 @@ class SenseChooser {
     if (!says_any({R::kOn, R::kIn, R::kNextTo, R::kNear, R::kAgainstWall, R::kOnCeiling, R::kCorner, R::kCenterOfRoom, R::kFacing,
                    R::kTuckedUnder, R::kAbove, R::kDistance}))
       return {};
-    if (reference_.of && reference_.of->kind == NounKind::kObject)
-      return chosen(on_part(reference_.wall_word.empty() ? "corner" : reference_.wall_word + " corner"));
+    if (reference_.of && reference_.of->kind == NounKind::kObject) return chosen(on_part(ThingPart(reference_.wall_word + " corner")));
     return chosen(own(R::kCorner));
   }
 
@@ -130,7 +129,7 @@ class SenseChooser {
     const auto of = [&](NounKind kind) { return reference_.of && reference_.of->kind == kind; };
     const bool thing = of(NounKind::kObject) || of(NounKind::kPronoun) || of(NounKind::kPart);
     if (thing && says(R::kAbove)) return own(R::kAbove);  // "hangs above the center of the table"
-    if (thing) return on_part("center");
+    if (thing) return on_part(PartWord::kCenter);
     if (reference_.of && reference_.of->kind == NounKind::kWall) return own(R::kCenteredOnWall);
     if (says_any({R::kOn, R::kIn, R::kNextTo, R::kNear, R::kCenterOfRoom, R::kAgainstWall})) return own(R::kCenterOfRoom);
     return std::nullopt;
@@ -142,16 +141,16 @@ class SenseChooser {
     if (head == "end" && (reference_.wall_word == "left" || reference_.wall_word == "right")) {
       const bool left = reference_.wall_word == "left";
       if (mount_of(target_) != Mount::kSurface && !says(R::kOn)) return own(left ? R::kLeftOf : R::kRightOf);
-      return on_part(reference_.wall_word);
+      return on_part(ThingPart(reference_.wall_word));
     }
     // "at the far end of the bench": on it, or by it.
     // "on the left half of the tabletop", "takes up the right third"
     const bool share = one_of(head, {"half", "third", "part", "portion", "section", "quarter"});
     if (share && one_of(reference_.wall_word, {"left", "right", "front", "back"}) && mount_of(target_) == Mount::kSurface)
-      return on_part(reference_.wall_word);
+      return on_part(ThingPart(reference_.wall_word));
     const NounPhrase* whole = reference_.of && reference_.of->kind == NounKind::kObject ? reference_.of.get() : nullptr;
     const bool flat = whole != nullptr && whole->head != "bed" && may_carry(catalog_, *whole, target_);
-    if (head == "end" && (!reference_.wall_word.empty() || flat) && mount_of(target_) == Mount::kSurface) return on_part("end");
+    if (head == "end" && (!reference_.wall_word.empty() || flat) && mount_of(target_) == Mount::kSurface) return on_part(PartWord::kEnd);
     // "at the far end of the sofa": only what one lies on has a foot.
     if (head == "end" && whole != nullptr && (is_seat(catalog_, *whole) || is_storage(*whole))) return own(R::kNextTo);
     if (head == "foot" || head == "end" || (head == "bottom" && !says(R::kOn))) return own(R::kAtFootOf);
@@ -174,7 +173,7 @@ class SenseChooser {
     }
     // "clamped to its right edge"
     const bool on_edge = reference_.head == "edge" && says(R::kOn) && mount_of(target_) == Mount::kSurface;
-    if (on_edge && (reference_.wall_word == "left" || reference_.wall_word == "right")) return on_part(reference_.wall_word);
+    if (on_edge && (reference_.wall_word == "left" || reference_.wall_word == "right")) return on_part(ThingPart(reference_.wall_word));
     if (reference_.wall_word == "left") return own(R::kLeftOf);
     if (reference_.wall_word == "right") return own(R::kRightOf);
     if (reference_.is_plural()) return own(R::kEachSideOf);

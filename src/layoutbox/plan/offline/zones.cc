@@ -102,9 +102,9 @@ class ZoneReader {
     if (row != nullptr) take_meaning(zone, *row);
     if (zone.items.empty() && row != nullptr && !fronted && is_brought_in(c)) furnish(zone, *row);
     if (zone.items.empty()) return;
-    const std::string region = place > 0 ? region_at(place) : std::string{};
-    if (!region.empty() && std::ranges::any_of(zone.items, [&](int item) { return stands(item); }))
-      put_in(zone, place, region);
+    const std::optional<RoomRegion> region = place > 0 ? region_at(place) : std::nullopt;
+    if (region && std::ranges::any_of(zone.items, [&](int item) { return stands(item); }))
+      put_in(zone, place, *region);
     else if (place > 0 && !std::ranges::any_of(zone.items, [&](int item) { return is_placed(item, zone.first); }))
       put(zone, place);
     document_.zones.push_back(std::move(zone));
@@ -208,16 +208,17 @@ class ZoneReader {
   }
 
   // "on the west side", "at the back": the half of the room that is meant; empty: another place.
-  std::string region_at(std::size_t place) const {
+  std::optional<RoomRegion> region_at(std::size_t place) const {
     if (is(place + 1, ChunkKind::kNoun)) {
       const NounPhrase& side = noun(place + 1);
-      return side.kind == NounKind::kWall || side.kind == NounKind::kCorner ? std::string{} : side.wall_word;
+      return side.kind == NounKind::kWall || side.kind == NounKind::kCorner ? std::nullopt : region_from_words(side.wall_word);
     }
     const PhraseSenses* senses = document_.chunks[place].phrase.senses;
     if (senses == nullptr) return {};
     const auto region = std::ranges::find(*senses, RelationType::kInRegion, &PhraseSense::type);
     if (region != senses->end()) return region->region;
-    return offline::says(*senses, RelationType::kLeftOf) ? "left" : offline::says(*senses, RelationType::kRightOf) ? "right" : "";
+    if (offline::says(*senses, RelationType::kLeftOf)) return RoomRegion::kLeft;
+    return offline::says(*senses, RelationType::kRightOf) ? std::optional(RoomRegion::kRight) : std::nullopt;
   }
 
   // On the floor, and is no rug.
@@ -227,7 +228,7 @@ class ZoneReader {
   }
 
   // All that stands there and has no place of its own in the room.
-  void put_in(const Zone& zone, std::size_t place, const std::string& region) {
+  void put_in(const Zone& zone, std::size_t place, RoomRegion region) {
     const bool table = std::ranges::any_of(zone.items, [&](int item) {
       const CatalogEntry* entry = document_.items[static_cast<std::size_t>(item)].noun.entry;
       return entry != nullptr && entry->is(Trait::kTable);

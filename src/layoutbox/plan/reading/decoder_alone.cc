@@ -59,7 +59,7 @@ std::optional<double> Decoder::room_side_score(const State& state, int u) const 
     const bool of_room = read_as(state, p).alone && read_as(state, p).implied == kNobody;
     if (says(other, left ? RelationType::kRightOf : RelationType::kLeftOf)) return of_room ? weight::kSameSide : weight::kSideOfRoom;
     // "bookshelves in the left half, tables on the right"
-    const std::string_view across = left ? "right" : "left";
+    const RoomRegion across = left ? RoomRegion::kRight : RoomRegion::kLeft;
     const bool half = std::ranges::any_of(other, [&](const PhraseSense& s) { return s.region == across; });
     if (half && of_room) return weight::kSameSide;
   }
@@ -245,10 +245,10 @@ void Decoder::alone_of_room(std::size_t s, int u, std::size_t level, double gain
   const bool lies =
       says(senses, RelationType::kCenterOfRoom) && (mount_of(noun_of(state, member)) == Mount::kSurface || on_fronted || let_in);
   // "a desk with a chair at the back": behind the desk.
-  const bool end =
-      says(senses, RelationType::kInRegion) && mount_of(noun_of(state, member)) == Mount::kFloor && is_thing(state, host) &&
-      unit(u).joiner == Joiner::kNone &&
-      std::any_of(senses.begin(), senses.end(), [](const PhraseSense& sense) { return sense.region == "back" || sense.region == "front"; });
+  const bool end = says(senses, RelationType::kInRegion) && mount_of(noun_of(state, member)) == Mount::kFloor && is_thing(state, host) &&
+                   unit(u).joiner == Joiner::kNone && std::any_of(senses.begin(), senses.end(), [](const PhraseSense& sense) {
+                     return sense.region == RoomRegion::kBack || sense.region == RoomRegion::kFront;
+                   });
   if (end) add(s, kAttachAlone, gain + 1.5, member, member, host);
   // … but "a table with magazines in the middle" stands there itself.
   const bool many_lie = is_thing(state, host) && (several(state, member) || is_textile(lexicon_.catalog(), noun_of(state, member)));

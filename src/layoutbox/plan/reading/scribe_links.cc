@@ -87,7 +87,7 @@ void Scribe::complete_pair(int u, Link& link) {
 // "on the left" of nothing: of the room.
 void Scribe::mean_side_of_room(Link& link) {
   const bool left = says(link.senses, RelationType::kLeftOf), right = says(link.senses, RelationType::kRightOf);
-  if (left != right) link.senses = {{RelationType::kInRegion, Direction::kAlone, {}, left ? "left" : "right", {}}};
+  if (left != right) link.senses = {{RelationType::kInRegion, Direction::kAlone, {}, left ? RoomRegion::kLeft : RoomRegion::kRight, {}}};
 }
 
 void Scribe::write_place_alone(int u) {
@@ -111,9 +111,10 @@ void Scribe::write_place_alone(int u) {
       words_between(document_, chunk(u).first, chunk(u).last).find("wall") != std::string::npos)
     link.senses = {{RelationType::kAgainstWall, Direction::kDirect, {}, {}, {}}};
   if (says(link.senses, RelationType::kCenterOfRoom) && !link.references.empty())
-    link.senses = {{RelationType::kOn, Direction::kDirect, "center", {}, {}}};
+    link.senses = {{RelationType::kOn, Direction::kDirect, PartWord::kCenter, {}, {}}};
   if (says(link.senses, RelationType::kInRegion) && !link.references.empty()) {
-    const bool back = std::any_of(link.senses.begin(), link.senses.end(), [](const PhraseSense& s) { return s.region == "back"; });
+    const bool back =
+        std::any_of(link.senses.begin(), link.senses.end(), [](const PhraseSense& s) { return s.region == RoomRegion::kBack; });
     link.senses = {{back ? RelationType::kBehind : RelationType::kInFrontOf, Direction::kDirect, {}, {}, {}}};
   }
   if (link.references.empty()) mean_side_of_room(link);

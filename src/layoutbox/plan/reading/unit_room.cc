@@ -87,9 +87,9 @@ void UnitReader::mean_end_of_room(std::size_t k) {
 
 // "a table, a screen at one end, a sideboard at the other end": of the room, where what has a place there stands by itself.
 const PhraseSenses* UnitReader::end_of_room(std::size_t k) const {
-  static const PhraseSenses kOne = {{RelationType::kInRegion, PhraseSense::Direction::kAlone, {}, "left", {}}},
-                            kOther = {{RelationType::kInRegion, PhraseSense::Direction::kAlone, {}, "right", {}}},
-                            kFar = {{RelationType::kInRegion, PhraseSense::Direction::kAlone, {}, "back", {}}};
+  static const PhraseSenses kOne = {{RelationType::kInRegion, PhraseSense::Direction::kAlone, {}, RoomRegion::kLeft, {}}},
+                            kOther = {{RelationType::kInRegion, PhraseSense::Direction::kAlone, {}, RoomRegion::kRight, {}}},
+                            kFar = {{RelationType::kInRegion, PhraseSense::Direction::kAlone, {}, RoomRegion::kBack, {}}};
   const Chunk& place = chunk(k);
   const auto& tokens = document_.tokens;
   if (is_side_of_room(k)) return &kOne;

@@ -281,7 +281,8 @@ bool UnitReader::tells_of_pot(std::size_t k) {
 // "a counter that carries, from left to right, a scale and a till": said of the list, wherever it stands.
 bool UnitReader::takes_order(std::size_t k) {
   const PhraseSenses& senses = *chunk(k).phrase.senses;
-  const bool order = std::ranges::all_of(senses, [](const PhraseSense& s) { return s.type == RelationType::kRow && !s.part.empty(); });
+  const bool order = std::ranges::all_of(
+      senses, [](const PhraseSense& s) { return s.type == RelationType::kRow && s.order != PhraseSense::Order::kNone; });
   if (!order) return false;
   const bool before_list = units_.empty() || units_.back().kind != UnitKind::kNoun;
   (units_.empty() ? order_ : units_.back().order) = k;

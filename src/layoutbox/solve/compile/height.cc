@@ -9,8 +9,6 @@
 namespace layoutbox::placement {
 namespace {
 
-bool says(const std::string& part, std::string_view word) { return part.find(word) != std::string::npos; }
-
 // The cases of one turn of the reference in which a thing is at a part of it that words name: halves, the middle, corners, edges.
 class PartOfTop {
  public:
@@ -18,19 +16,21 @@ class PartOfTop {
     cases_[0].when(r, states);
   }
 
-  void read(const std::string& part) {
-    if (says(part, "center") || says(part, "middle") || says(part, "centre")) keep_to_middle();
-    for (const auto& [word, side] :
-         {std::pair{"left", Side::kLeft}, {"right", Side::kRight}, {"front", Side::kFront}, {"back", Side::kBack}}) {
-      if (!says(part, word)) continue;
+  void read(const ThingPart& part) {
+    if (part.has(PartWord::kCenter)) keep_to_middle();
+    for (const auto& [word, side] : {std::pair{PartWord::kLeft, Side::kLeft},
+                                     {PartWord::kRight, Side::kRight},
+                                     {PartWord::kFront, Side::kFront},
+                                     {PartWord::kBack, Side::kBack}}) {
+      if (!part.has(word)) continue;
       for (Case& c : cases_) half(c, side);
     }
-    if (says(part, "corner")) {
+    if (part.has(PartWord::kCorner)) {
       branch({Side::kLeft, Side::kRight}, 0);
       branch({Side::kBack, Side::kFront}, 20);
     }
-    if (part == "end") branch({Side::kLeft, Side::kRight}, 0);
-    if (says(part, "edge")) branch_by_side({Side::kBack, Side::kLeft, Side::kRight, Side::kFront});
+    if (part.has(PartWord::kEnd)) branch({Side::kLeft, Side::kRight}, 0);
+    if (part.has(PartWord::kEdge)) branch_by_side({Side::kBack, Side::kLeft, Side::kRight, Side::kFront});
   }
 
   std::vector<Case> take() { return std::move(cases_); }
@@ -81,7 +81,7 @@ class PartOfTop {
 };
 
 // Where on the reference, in its own frame.
-void require_part(Formula& f, const PlacementModel& model, int t, int r, const std::string& part) {
+void require_part(Formula& f, const PlacementModel& model, int t, int r, const ThingPart& part) {
   const Item& ref = model.items[r];
   for_each_turn(ref, [&](int turn, std::uint64_t states) {
     PartOfTop where(ref, t, r, turn, states);
@@ -90,37 +90,29 @@ void require_part(Formula& f, const PlacementModel& model, int t, int r, const s
   });
 }
 
-bool is_place_word(const std::string& part) {
-  if (part == "end") return true;  // of a counter
-  for (const char* word : {"left", "right", "front", "back", "center", "centre", "middle", "corner", "edge"}) {
-    if (says(part, word)) return true;
-  }
-  return false;
-}
-
-bool names_space(const Item& item, const std::string& part) {
-  return std::any_of(item.spaces.begin(), item.spaces.end(), [&](const ItemSpace& s) { return s.name == part; });
+bool names_space(const Item& item, const ThingPart& part) {
+  return std::any_of(item.spaces.begin(), item.spaces.end(), [&](const ItemSpace& s) { return s.name == part.text(); });
 }
 
 // t rests on r, or in it, at the part that is named.
 void add_at_part(Compilation& c, int t, int r, Resting how) {
-  const std::string& part = c.relation.parameters.part;
+  const ThingPart& part = c.relation.parameters.part;
   const Item& ref = c.item(r);
-  const bool space = names_space(ref, part), place = !space && is_place_word(part), top = part == "top" && !space;
-  if (!part.empty() && !space && !place && !top) {
+  const bool space = names_space(ref, part), top = part.has(PartWord::kTop) && !space;
+  if (!part.empty() && !space && !part.is_words()) {
     c.never();  // it has no such part
     return;
   }
-  add_resting(c.formula(), c.model, t, r, space ? part : "", top && how == Resting::kOn ? Resting::kTop : how);
-  if (place) require_part(c.formula(), c.model, t, r, part);
+  add_resting(c.formula(), c.model, t, r, space ? part.text() : "", top && how == Resting::kOn ? Resting::kTop : how);
+  if (!space && part.says_where()) require_part(c.formula(), c.model, t, r, part);
 }
 
 // "A cup on a coaster on the table": the coaster is on the table, and so the cup is; asked for is at most where on it.
 bool rests_by_way(Compilation& c, int t, const Reference& r) {
   if (r.kind != Reference::Kind::kItem || !rests_by_way_of_others(*c.model.scene, c.item(t).id, c.item(r.index).id)) return false;
-  const std::string& part = c.relation.parameters.part;
+  const ThingPart& part = c.relation.parameters.part;
   Formula& f = c.formula();
-  if (is_place_word(part))
+  if (part.says_where())
     require_part(f, c.model, t, r.index, part);
   else
     f.add();
@@ -139,7 +131,7 @@ void stand_on(Compilation& c, int t, const Reference& r, const std::string& id) 
       for (int axis = 0; axis < 2 && on_it == 1 && c.targets.size() == 1; ++axis) base.wish(mid2(t, axis) - mid2(r.index, axis), 100, 2);
       Formula& f = c.formula();
       for (Case& one : cover(base, c.model, t, r.index, 0)) f.cases.push_back(std::move(one));
-      if (is_place_word(c.relation.parameters.part)) require_part(c.formula(), c.model, t, r.index, c.relation.parameters.part);
+      if (const ThingPart& part = c.relation.parameters.part; part.says_where()) require_part(c.formula(), c.model, t, r.index, part);
     } else if (ref.is_opening()) {
       Formula& f = c.formula();
       if (ref.opening->type == OpeningType::kWindow) add_on_sill(f, c.model, t, r.index);

@@ -147,20 +147,36 @@ void compile_Touching(Compilation& c) {
   }
 }
 
+namespace {
+
+// Of a thing's own frame; none for the middles, and for edges that scenes may not name here.
+std::optional<Side> side_of(Edge edge) {
+  switch (edge) {
+    case Edge::kFront: return Side::kFront;
+    case Edge::kBack: return Side::kBack;
+    case Edge::kLeft: return Side::kLeft;
+    case Edge::kRight: return Side::kRight;
+    default: return std::nullopt;
+  }
+}
+
+}  // namespace
+
 void compile_EdgeAlign(Compilation& c) {
-  const std::string& edge = c.relation.parameters.edge;
+  const Edge edge = c.relation.parameters.edge.value_or(Edge::kFront);
+  const std::optional<Side> side = side_of(edge);
   for (const int t : c.targets) {
     for (const int r : c.reference_items()) {
       Formula& f = c.formula();
+      if (!side && edge != Edge::kCenter) continue;  // nothing has such an edge
       for_each_turn(c.item(r), [&](int turn, std::uint64_t states) {
         Case& in = f.add().when(r, states);
-        if (edge == "center" || edge == "centre" || edge == "middle") {
+        if (edge == Edge::kCenter) {
           const int axis = side_direction(c.item(r), Side::kRight, turn).axis;
           in.require_small(mid2(t, axis) - mid2(r, axis), 1);
           return;
         }
-        const Side side = edge == "back" ? Side::kBack : edge == "left" ? Side::kLeft : edge == "right" ? Side::kRight : Side::kFront;
-        const Direction d = side_direction(c.item(r), side, turn);
+        const Direction d = side_direction(c.item(r), *side, turn);
         in.require_small(reach(t, d) - reach(r, d), 0);
       });
     }

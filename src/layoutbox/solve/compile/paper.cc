@@ -9,17 +9,18 @@ namespace {
 
 enum class Which { kLow, kMiddle, kHigh };
 
-Which which_edge(const std::string& edge) {
-  if (edge == "min" || edge == "left" || edge == "front" || edge == "bottom") return Which::kLow;
-  if (edge == "max" || edge == "right" || edge == "back" || edge == "top") return Which::kHigh;
-  return Which::kMiddle;
+Edge edge_meant(const Compilation& c) { return c.relation.parameters.edge.value_or(Edge::kCenter); }
+
+Which which_edge(Edge edge) {
+  if (edge == Edge::kMin || edge == Edge::kLeft || edge == Edge::kFront || edge == Edge::kBottom) return Which::kLow;
+  return edge == Edge::kCenter ? Which::kMiddle : Which::kHigh;
 }
 
 std::vector<int> axes_meant(const Compilation& c) {
-  const std::string& edge = c.relation.parameters.edge;
-  if (edge == "left" || edge == "right") return {0};
-  if (edge == "front" || edge == "back") return {1};
-  if (edge == "bottom" || edge == "top") return {2};
+  const Edge edge = edge_meant(c);
+  if (edge == Edge::kLeft || edge == Edge::kRight) return {0};
+  if (edge == Edge::kFront || edge == Edge::kBack) return {1};
+  if (edge == Edge::kBottom || edge == Edge::kTop) return {2};
   if (!c.relation.parameters.axis) return {0, 1};
   return {static_cast<int>(*c.relation.parameters.axis)};
 }
@@ -46,7 +47,7 @@ Linear edge2(const Linear& low, const Linear& high, Which which) {
 }
 
 void align_all(Compilation& c) {
-  const Which which = which_edge(c.relation.parameters.edge);
+  const Which which = which_edge(edge_meant(c));
   Formula& f = c.formula();
   for (const int axis : axes_meant(c)) {
     std::vector<Linear> edges;

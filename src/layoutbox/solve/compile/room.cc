@@ -201,18 +201,18 @@ void compile_CenteredOnWall(Compilation& c) {
 }
 
 void compile_InRegion(Compilation& c) {
-  const std::string& region = c.relation.parameters.region;
-  const auto says = [&](std::string_view word) { return region.find(word) != std::string::npos; };
-  const bool middle = says("middle") || says("cent");
-  if (!middle && !says("left") && !says("right") && !says("front") && !says("back")) {
+  if (!c.relation.parameters.region) {
     c.never();
     return;
   }
+  const RoomRegion region = *c.relation.parameters.region;
+  const bool middle = region == RoomRegion::kMiddle;
   for (const int t : c.targets) {
     Case& in = c.formula().add();
     for (int axis = 0; axis < 2; ++axis) {
       const std::int64_t low = c.model.room.lo[axis], high = c.model.room.hi[axis], span = high - low;
-      const bool lower = axis == 0 ? says("left") : says("front"), upper = axis == 0 ? says("right") : says("back");
+      const bool lower = lies_at(region, axis == 0 ? Side::kLeft : Side::kFront);
+      const bool upper = lies_at(region, axis == 0 ? Side::kRight : Side::kBack);
       if (lower) in.require(Linear(low + high) - mid2(t, axis)).wish(mid2(t, axis) - Linear(2 * low + span / 2), 20, 2);
       if (upper) in.require(mid2(t, axis) - Linear(low + high)).wish(mid2(t, axis) - Linear(2 * high - span / 2), 20, 2);
     }

@@ -94,8 +94,7 @@ void compile_Reachable(Compilation& c) {
 }
 
 void compile_KeepClear(Compilation& c) {
-  const std::string& region = c.relation.parameters.region;
-  const auto says = [&](std::string_view word) { return region.find(word) != std::string::npos; };
+  const std::optional<RoomRegion>& region = c.relation.parameters.region;
   bool openings = false;
   for (const int t : c.targets) {
     for (const Reference& r : c.references) {
@@ -108,12 +107,13 @@ void compile_KeepClear(Compilation& c) {
       }
     }
     if (!c.references.empty()) continue;
-    Formula& f = c.formula();  // beside one of the edges of that part; a word that is none names no part
-    if (region.empty()) continue;
-    const bool middle = says("middle") || says("center") || says("centre");
+    Formula& f = c.formula();  // beside one of the edges of that part
+    if (!region) continue;
+    const bool middle = region == RoomRegion::kMiddle;
     for (int axis = 0; axis < 2; ++axis) {
       const std::int64_t from = c.model.room.lo[axis], span = c.model.room.extent(axis);
-      const bool lower = says(axis == 0 ? "left" : "front"), upper = says(axis == 0 ? "right" : "back");
+      const bool lower = lies_at(*region, axis == 0 ? Side::kLeft : Side::kFront);
+      const bool upper = lies_at(*region, axis == 0 ? Side::kRight : Side::kBack);
       const std::int64_t first = middle || upper ? (middle ? 1 : 2) : 0, last = middle || lower ? (middle ? 2 : 1) : 3;
       f.add().require(3 * lo(t, axis) - Linear(3 * from + last * span));
       f.add().require(Linear(3 * from + first * span) - 3 * hi(t, axis));

@@ -192,8 +192,8 @@ std::string relation_in_words(const PlacementModel& model, const Relation& relat
   replace(text, "{depth}", parameter_in_words(c, "depth", p.depth));
   if (p.axis) replace(text, "{axis}", *p.axis == Axis::kX ? "x" : *p.axis == Axis::kY ? "y" : "z");
   replace(text, "{side}", std::string(name_of(p.side.value_or(relation.type == RelationType::kAlongSide ? Side::kLong : Side::kFront))));
-  replace(text, "{edge}", p.edge.empty() ? "front" : p.edge);
-  replace(text, "{region}", p.region);
+  replace(text, "{edge}", std::string(name_of(p.edge.value_or(Edge::kFront))));
+  if (p.region) replace(text, "{region}", std::string(name_of(*p.region)));
   if (!p.columns) replace(text, " of {columns} columns", "");
   replace(text, "{columns}", std::to_string(p.columns.value_or(0)));
   if (p.columns == 1) replace(text, "1 columns", "1 column");

@@ -18,7 +18,8 @@ std::string meaning_of(const Relation& r) {
     key += "|";
   }
   for (const auto& length : {p.distance, p.min, p.max, p.gap, p.depth, p.width, p.height}) key += number(length) + "|";
-  return key + number(p.axis) + "|" + number(p.side) + "|" + number(p.columns) + "|" + p.part + "|" + p.edge + "|" + p.region;
+  return key + number(p.axis) + "|" + number(p.side) + "|" + number(p.columns) + "|" + number(p.edge) + "|" + number(p.region) + "|" +
+         p.part.text();
 }
 
 // By relation, the first that says the same.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "layoutbox/verify/checks.h"
 #include "layoutbox/verify/relation_check.h"
@@ -30,13 +29,13 @@ Finding named_space(const RelationCase& c, const Body& t, const Body& host, cons
                    fmt::format("{} stands {} {} of {}", t.id(), hollow && hollow->name == name ? "in" : "not in", name, host.id()));
 }
 
-// One word of `part`: a half, a third or a space of the host.
-Finding in_part(const RelationCase& c, const Body& t, const Body& host, const std::string& word) {
+// One word of `part`: a half or a third of the host, or its top.
+Finding in_part(const RelationCase& c, const Body& t, const Body& host, PartWord word) {
   const Frame& frame = host.shape.frame;
   const Interval x = extent(host.shape, frame.x), y = extent(host.shape, frame.y);
   const double off_x = dot(t.shape.center, frame.x) - x.mid(), off_y = dot(t.shape.center, frame.y) - y.mid();
   const auto half = [&](double value) {
-    return at_least(fmt::format("{} is in the {} half of {} by", t.id(), word, host.id()), value, 0, c.slack());
+    return at_least(fmt::format("{} is in the {} half of {} by", t.id(), name_of(word), host.id()), value, 0, c.slack());
   };
   const auto outer = [&](double off, const Interval& side) {
     return at_least(fmt::format("{} is off the middle of {} by", t.id(), host.id()), std::abs(off), side.length() / 6, c.slack());
@@ -44,24 +43,27 @@ Finding in_part(const RelationCase& c, const Body& t, const Body& host, const st
   const auto inner = [&](double off, const Interval& side) {
     return at_most(fmt::format("{} is off the middle of {} by", t.id(), host.id()), std::abs(off), side.length() / 6, c.slack());
   };
-  if (word == "left") return half(-off_x);
-  if (word == "right") return half(off_x);
-  if (word == "front") return half(-off_y);
-  if (word == "back") return half(off_y);
-  if (word == "center" || word == "centre" || word == "middle") return all_of({inner(off_x, x), inner(off_y, y)});
-  if (word == "corner") return all_of({outer(off_x, x), outer(off_y, y)});
-  if (word == "edge") return any_of({outer(off_x, x), outer(off_y, y)}, {});
-  if (word == "top") return at_least(fmt::format("the underside of {} is at", t.id()), t.underside(), host.top(), c.slack());
-  return named_space(c, t, host, word);
+  switch (word) {
+    case PartWord::kLeft: return half(-off_x);
+    case PartWord::kRight: return half(off_x);
+    case PartWord::kFront: return half(-off_y);
+    case PartWord::kBack: return half(off_y);
+    case PartWord::kCenter: return all_of({inner(off_x, x), inner(off_y, y)});
+    case PartWord::kCorner: return all_of({outer(off_x, x), outer(off_y, y)});
+    case PartWord::kEdge: return any_of({outer(off_x, x), outer(off_y, y)}, {});
+    case PartWord::kEnd: return outer(off_x, x);
+    case PartWord::kTop: break;
+  }
+  return at_least(fmt::format("the underside of {} is at", t.id()), t.underside(), host.top(), c.slack());
 }
 
 Finding in_parts(const RelationCase& c, const Body& t, const Body& host) {
-  const std::string& part = c.relation.parameters.part;
-  const bool is_space = std::any_of(host.hollows.begin(), host.hollows.end(), [&](const Hollow& hollow) { return hollow.name == part; });
-  if (is_space) return named_space(c, t, host, part);
+  const ThingPart& part = c.relation.parameters.part;
+  const auto is_meant = [&](const Hollow& hollow) { return hollow.name == part.text(); };
+  const bool is_space = std::any_of(host.hollows.begin(), host.hollows.end(), is_meant);
+  if (is_space || (!part.empty() && !part.is_words())) return named_space(c, t, host, part.text());
   std::vector<Finding> findings;
-  std::istringstream words(part);
-  for (std::string word; words >> word;) findings.push_back(in_part(c, t, host, word));
+  for (const PartWord word : part.words()) findings.push_back(in_part(c, t, host, word));
   return all_of(std::move(findings));
 }
 
@@ -143,7 +145,7 @@ Finding check_Above(const RelationCase& c) {
 }
 
 Finding check_In(const RelationCase& c) {
-  const std::string& part = c.relation.parameters.part;
+  const ThingPart& part = c.relation.parameters.part;
   return each_pair(c, [&](const Body& t, const RelationReference& r) {
     if (r.body == nullptr) return check_Inside(c);
     const double below_top = r.body->top() - t.underside();

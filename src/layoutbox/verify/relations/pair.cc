@@ -113,13 +113,16 @@ Finding check_Touching(const RelationCase& c) {
 }
 
 Finding check_EdgeAlign(const RelationCase& c) {
-  const std::string& word = c.relation.parameters.edge;
+  const Edge edge = c.relation.parameters.edge.value_or(Edge::kFront);
   return each_pair(c, [&](const Body& t, const RelationReference& r) {
     if (r.is_place()) return condition(false, r.id + " has no edges");
     const Frame& frame = r.shape().frame;
-    if (word == "center" || word == "centre" || word == "middle") return centred_along(c, t, r, frame.x);
-    const Vec2d out = direction_of(frame, side_from_name(word.empty() ? "front" : word).value_or(Side::kFront));
-    return at_most(fmt::format("the {} edges of {} are apart by", word.empty() ? "front" : word, name_of_pair(t, r)),
+    if (edge == Edge::kCenter) return centred_along(c, t, r, frame.x);
+    const std::optional<Side> side = side_from_name(name_of(edge));
+    if (!side || *side == Side::kTop || *side == Side::kBottom)
+      return condition(false, fmt::format("{} has no {} edge", r.id, name_of(edge)));
+    const Vec2d out = direction_of(frame, *side);
+    return at_most(fmt::format("the {} edges of {} are apart by", name_of(edge), name_of_pair(t, r)),
                    std::abs(extent(t.shape, out).hi - extent(r.shape(), out).hi), 0, c.slack());
   });
 }

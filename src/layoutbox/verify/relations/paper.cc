@@ -27,9 +27,20 @@ bool along_wall(const RelationReference& r, Axis axis) {
   return std::abs(along) > 0.999;
 }
 
-enum class Edge { kLo, kMid, kHi };
-
-double coordinate(Interval extent, Edge edge) { return edge == Edge::kLo ? extent.lo : edge == Edge::kHi ? extent.hi : extent.mid(); }
+double coordinate(Interval extent, Edge edge) {
+  switch (edge) {
+    case Edge::kMin:
+    case Edge::kLeft:
+    case Edge::kFront:
+    case Edge::kBottom: return extent.lo;
+    case Edge::kMax:
+    case Edge::kRight:
+    case Edge::kBack:
+    case Edge::kTop: return extent.hi;
+    case Edge::kCenter: break;
+  }
+  return extent.mid();
+}
 
 Finding aligned_along(const RelationCase& c, Axis axis, Edge edge) {
   std::vector<double> places;
@@ -41,13 +52,10 @@ Finding aligned_along(const RelationCase& c, Axis axis, Edge edge) {
 }
 
 Finding aligned(const RelationCase& c) {
-  const std::string& word = c.relation.parameters.edge;
-  const bool lo = word == "min" || word == "left" || word == "front" || word == "bottom";
-  const bool hi = word == "max" || word == "right" || word == "back" || word == "top";
-  const Edge edge = lo ? Edge::kLo : hi ? Edge::kHi : Edge::kMid;
-  if (word == "left" || word == "right") return aligned_along(c, Axis::kX, edge);
-  if (word == "front" || word == "back") return aligned_along(c, Axis::kY, edge);
-  if (word == "bottom" || word == "top") return aligned_along(c, Axis::kZ, edge);
+  const Edge edge = c.relation.parameters.edge.value_or(Edge::kCenter);
+  if (edge == Edge::kLeft || edge == Edge::kRight) return aligned_along(c, Axis::kX, edge);
+  if (edge == Edge::kFront || edge == Edge::kBack) return aligned_along(c, Axis::kY, edge);
+  if (edge == Edge::kBottom || edge == Edge::kTop) return aligned_along(c, Axis::kZ, edge);
   if (c.relation.parameters.axis) return aligned_along(c, *c.relation.parameters.axis, edge);
   return any_of({aligned_along(c, Axis::kX, edge), aligned_along(c, Axis::kY, edge)}, {});
 }

@@ -95,21 +95,18 @@ Finding check_CenteredOnWall(const RelationCase& c) {
 }
 
 Finding check_InRegion(const RelationCase& c) {
-  const std::string& region = c.relation.parameters.region;
+  if (!c.relation.parameters.region) return condition(false, "inRegion names no region");
+  const RoomRegion region = *c.relation.parameters.region;
   const Interval x = c.view.floor_x, y = c.view.floor_y;
-  const auto has = [&](std::string_view word) { return region.find(word) != std::string::npos; };
-  const bool middle = has("middle") || has("center") || has("centre");
-  if (!middle && !has("left") && !has("right") && !has("front") && !has("back")) {
-    return condition(false, fmt::format("\"{}\" is no part of a room", region));
-  }
+  const auto has = [&](Side side) { return lies_at(region, side); };
   return each_target(c, [&](const Body& t) {
     const Vec2d at = t.shape.center;
     std::vector<Finding> findings;
-    if (has("left")) findings.push_back(at_most(fmt::format("the centre of {} is at x", t.id()), at.x, x.mid(), c.slack()));
-    if (has("right")) findings.push_back(at_least(fmt::format("the centre of {} is at x", t.id()), at.x, x.mid(), c.slack()));
-    if (has("front")) findings.push_back(at_most(fmt::format("the centre of {} is at y", t.id()), at.y, y.mid(), c.slack()));
-    if (has("back")) findings.push_back(at_least(fmt::format("the centre of {} is at y", t.id()), at.y, y.mid(), c.slack()));
-    if (middle) {
+    if (has(Side::kLeft)) findings.push_back(at_most(fmt::format("the centre of {} is at x", t.id()), at.x, x.mid(), c.slack()));
+    if (has(Side::kRight)) findings.push_back(at_least(fmt::format("the centre of {} is at x", t.id()), at.x, x.mid(), c.slack()));
+    if (has(Side::kFront)) findings.push_back(at_most(fmt::format("the centre of {} is at y", t.id()), at.y, y.mid(), c.slack()));
+    if (has(Side::kBack)) findings.push_back(at_least(fmt::format("the centre of {} is at y", t.id()), at.y, y.mid(), c.slack()));
+    if (region == RoomRegion::kMiddle) {
       findings.push_back(
           at_most(fmt::format("{} is off the middle along x by", t.id()), std::abs(at.x - x.mid()), x.length() / 6, c.slack()));
       findings.push_back(

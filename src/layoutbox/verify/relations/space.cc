@@ -51,18 +51,17 @@ Finding strip_free(const RelationCase& c, const Body& t, Side which) {
 Interval part(Interval whole, int from, int to) { return {whole.lo + whole.length() * from / 3, whole.lo + whole.length() * to / 3}; }
 
 // Thirds of the floor's extent that must stay free.
-Finding out_of_region(const RelationCase& c, const Body& t, const std::string& region) {
-  const auto has = [&](std::string_view word) { return region.find(word) != std::string::npos; };
-  const bool middle = has("middle") || has("center") || has("centre");
+Finding out_of_region(const RelationCase& c, const Body& t, RoomRegion region) {
+  const auto has = [&](Side side) { return lies_at(region, side); };
   Interval x = c.view.floor_x, y = c.view.floor_y;
-  if (has("left")) x = part(c.view.floor_x, 0, 1);
-  if (has("right")) x = part(c.view.floor_x, 2, 3);
-  if (has("front")) y = part(c.view.floor_y, 0, 1);
-  if (has("back")) y = part(c.view.floor_y, 2, 3);
-  if (middle) x = part(c.view.floor_x, 1, 2), y = part(c.view.floor_y, 1, 2);
+  if (has(Side::kLeft)) x = part(c.view.floor_x, 0, 1);
+  if (has(Side::kRight)) x = part(c.view.floor_x, 2, 3);
+  if (has(Side::kFront)) y = part(c.view.floor_y, 0, 1);
+  if (has(Side::kBack)) y = part(c.view.floor_y, 2, 3);
+  if (region == RoomRegion::kMiddle) x = part(c.view.floor_x, 1, 2), y = part(c.view.floor_y, 1, 2);
   const Shape place = make_box({x.mid(), y.mid()}, x.length(), y.length(), t.shape.heights, {});
-  return at_most(fmt::format("{} reaches into the {} of the room by", t.id(), region), std::max(0.0, penetration(t.shape, place)), 0,
-                 c.slack());
+  return at_most(fmt::format("{} reaches into the {} of the room by", t.id(), name_of(region)), std::max(0.0, penetration(t.shape, place)),
+                 0, c.slack());
 }
 
 }  // namespace
@@ -88,8 +87,8 @@ Finding check_KeepClear(const RelationCase& c) {
   const RelationParameters& given = c.relation.parameters;
   const std::optional<double> depth = c.metres(given.depth, "depth");
   if (c.references.empty()) {
-    if (given.region.empty()) return condition(false, "keepClear names neither a thing nor a region to keep clear of");
-    return each_target(c, [&](const Body& t) { return out_of_region(c, t, given.region); });
+    if (!given.region) return condition(false, "keepClear names neither a thing nor a region to keep clear of");
+    return each_target(c, [&](const Body& t) { return out_of_region(c, t, *given.region); });
   }
   return each_pair(c, [&](const Body& t, const RelationReference& r) {
     if (r.face != nullptr && r.face->opening != nullptr) return keeps_out_of_opening(c, t, *r.face, depth);
