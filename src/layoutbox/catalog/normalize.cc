@@ -43,6 +43,7 @@ Result<SceneGraph> normalize_scene(SceneGraph scene, const Catalog& catalog, con
   if (context.errors.empty()) {
     normalize_distances(context);
     normalize_relations(context);
+    normalize_grids(context);
     normalize_visitors(context);
     normalize_support(context);
   }
