@@ -44,6 +44,7 @@ Result<SceneGraph> normalize_scene(SceneGraph scene, const Catalog& catalog, con
     normalize_distances(context);
     normalize_relations(context);
     check_parts(context);
+    normalize_grids(context);
     normalize_visitors(context);
     normalize_support(context);
   }

@@ -188,8 +188,8 @@ class RoomNormalizer {
       if (object.mount != Mount::kFloor || !object.size || (entry.thin && !entry.lain_on)) continue;
       const Size& size = object.size->usual;
       covered += double(size.width) * size.depth;
-      used += stands_in_grid(object.id) ? double(size.width + kGridWay.x) * (size.depth + kGridWay.y)
-                                        : double(size.width) * size.depth + wanted_floor(entry, size);
+      used += stands_in_grid(object.id) || stands_in_class(object) ? double(size.width + kGridWay.x) * (size.depth + kGridWay.y)
+                                                                   : double(size.width) * size.depth + wanted_floor(entry, size);
       longest = std::max({longest, double(size.width), double(size.depth)});
     }
     const double factor = room_size_factor(room_.size_word);
@@ -205,6 +205,16 @@ class RoomNormalizer {
     return std::ranges::any_of(context_.scene.relations, [&](const Relation& r) {
       return r.type == RelationType::kGrid && std::ranges::find(r.targets, id) != r.targets.end();
     });
+  }
+
+  // One of many of a kind that are all turned alike, as the desks of a class are; seats have their clearances.
+  bool stands_in_class(const SceneObject& object) const {
+    constexpr std::ptrdiff_t kClass = 8;
+    const auto of_kind = [&](const Relation& r) {
+      const SceneObject* other = r.targets.size() == 1 ? context_.scene.find_object(r.targets[0]) : nullptr;
+      return r.type == RelationType::kSameOrientation && other != nullptr && other->category == object.category;
+    };
+    return std::ranges::count_if(context_.scene.relations, of_kind) + 1 >= kClass;
   }
 
   void settle_height() {

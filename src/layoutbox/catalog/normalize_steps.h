@@ -52,6 +52,9 @@ double growth_for_distances(const NormalizeContext& context, double width, doubl
 // What is far in a room that is what it is, and heights of what is to hang above something. REQUIRES: the room is settled.
 void normalize_distances(NormalizeContext& context);
 
+// Columns of grids that nobody gave, by the room. REQUIRES: sizes of objects and the room are known.
+void normalize_grids(NormalizeContext& context);
+
 // Widths of curtains that nobody gave, by their windows. REQUIRES: sizes of objects and openings are known.
 void normalize_curtains(NormalizeContext& context);
 

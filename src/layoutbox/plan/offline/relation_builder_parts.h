@@ -159,6 +159,7 @@ class RelationBuilder {
   void seat_around_faced_tables();
   void turn_screens_to_viewers();
   void make_islands();
+  bool is_only_by_opening(const std::string& object) const;
   void seat_at_only_table();
   const SceneObject* mirror_looked_into(const Relation& looks) const;
   void hang_mirrors_over_counters();

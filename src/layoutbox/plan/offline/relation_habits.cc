@@ -38,7 +38,9 @@ void RelationBuilder::face_as_group() {
       const auto at = std::find(grid.targets.begin(), grid.targets.end(), facing.targets[0]) - grid.targets.begin();
       const std::size_t column = static_cast<std::size_t>(at) % columns;
       if (static_cast<std::size_t>(at) == n || grid.targets[static_cast<std::size_t>(at)] == middle) continue;
-      if (!wide && (column == (columns - 1) / 2 || column == columns / 2)) continue;
+      // How many columns suit the room is seen later: one of them leads.
+      const bool known = row || grid.parameters.columns.has_value();
+      if (known && !wide && (column == (columns - 1) / 2 || column == columns / 2)) continue;
       facing.type = R::kSameOrientation;
       facing.references = {middle};
     }

@@ -25,6 +25,16 @@ void RelationBuilder::seat_those_who_wait() {
   }
 }
 
+// Is nothing said of it but that it is by a door or window?
+bool RelationBuilder::is_only_by_opening(const std::string& object) const {
+  return std::ranges::all_of(relations_of(object), [&](std::size_t r) {
+    const Relation& relation = scene_.relations[r];
+    const bool by =
+        relation.type == R::kNextTo || relation.type == R::kNear || relation.type == R::kNearWindow || relation.type == R::kNearDoor;
+    return by && std::ranges::all_of(relation.references, [&](const std::string& id) { return scene_.find_object(id) == nullptr; });
+  });
+}
+
 // "an oval table, ten swivel chairs": at the only table that has no seats, where nobody says where they are.
 void RelationBuilder::seat_at_only_table() {
   std::vector<int> tables, seats;
@@ -34,7 +44,7 @@ void RelationBuilder::seat_at_only_table() {
     const CatalogEntry& entry = *noun.entry;
     const bool works = entry.is(Trait::kDeskLike) || entry.is(Trait::kDesk) || entry.is(Trait::kCounter);
     if (works) return;  // the chairs may be its
-    if (entry.is(Trait::kTableSeat) && relations_of(scene_.objects[i].id).empty()) seats.push_back(static_cast<int>(i));
+    if (entry.is(Trait::kTableSeat) && is_only_by_opening(scene_.objects[i].id)) seats.push_back(static_cast<int>(i));
     if (is_eaten_at(noun)) tables.push_back(static_cast<int>(i));
   }
   constexpr std::size_t kFewest = 2;
@@ -43,6 +53,9 @@ void RelationBuilder::seat_at_only_table() {
     const SceneObject* seat = at_it ? object_of(r.targets.front()) : nullptr;
     return seat != nullptr && is_seat(catalog_, noun_of_object(*seat)) && r.references == ids(tables);
   };
+  // "one of the chairs is by the window", and sits at the table with the others; by itself it stands at the window.
+  const auto unsaid = [&](int seat) { return relations_of(scene_.objects[static_cast<std::size_t>(seat)].id).empty(); };
+  if (std::ranges::count_if(seats, unsaid) < std::ptrdiff_t{2}) std::erase_if(seats, [&](int seat) { return !unsaid(seat); });
   if (tables.size() != 1 || seats.size() < kFewest || std::ranges::any_of(scene_.relations, has_seats)) return;
   Link link;
   link.first = document_.items[static_cast<std::size_t>(seats.front())].noun.first;

@@ -145,6 +145,7 @@ class Decoder {
   double list_kind_score(const State& state, int member, int u, std::size_t length) const;
   double reference_list_score(const State& state, int member, int u) const;
   double reference_score(const State& state, int place, Referent reference) const;
+  bool comes_with(const State& state, Referent member) const;
   double habit_score(const State& state, int place, Referent subject, Referent other, const PhraseSenses& senses) const;
   double part_score(const State& state, int place, const NounPhrase& part, Referent meant) const;
   void repeated_part_actions(std::size_t s, int u);

@@ -257,6 +257,10 @@ void Decoder::alone_of_room(std::size_t s, int u, std::size_t level, double gain
   for (const Candidate& meant : lies&& host == kNobody && state.fronted.empty() ? carriers(state, member) : std::vector<Candidate>{})
     add(s, kAttachAlone, gain + meant.score, member, member, meant.referent);
   if (lies && !state.fronted.empty()) add(s, kAttachAlone, gain + 1, member, member, state.fronted.front() + 1);
+  // "a bed with two nightstands in the middle", "desks with chairs in rows": the bed and the desks
+  if (comes_with(state, member) && unit(u).joiner == Joiner::kNone &&
+      (many ? several(state, host) : says(senses, RelationType::kCenterOfRoom)))
+    gain += weight::kSmallByPlace;
   const bool several_here = several(state, member);
   alone_of_list(s, u, level, {kNobody, gain + fits + (!many ? 0 : several_here ? 1.0 : -1.0), false});
 }

@@ -214,6 +214,17 @@ double Decoder::reference_score(const State& state, int place, Referent referenc
   return fronted ? score : score + habit_score(state, place, subject, other, unit(place).direct);
 }
 
+// Seats of a table or desk, nightstands of a bed: where such a group is said to be is where its head is.
+bool Decoder::comes_with(const State& state, Referent member) const {
+  const Referent host = host_of(state, member);
+  if (member < 0 || read_as(state, member).role != NounRole::kContent || !is_thing(state, host)) return false;
+  const NounPhrase &target = noun_of(state, member), &head = noun_of(state, host);
+  if (target.entry == nullptr || head.entry == nullptr || mount_of(target) != Mount::kFloor || mount_of(head) != Mount::kFloor)
+    return false;
+  if (is_seat(lexicon_.catalog(), target)) return is_table(lexicon_.catalog(), head);
+  return std::ranges::any_of(target.entry->beside, [&](const std::string& kind) { return lexicon_.catalog().is_a(head.entry->id, kind); });
+}
+
 // What a thing has is seldom what stands at a wall; a table with chairs in the corner is what stands there.
 double Decoder::habit_score(const State& state, int place, Referent subject, Referent other, const PhraseSenses& senses) const {
   if (subject < 0 || read_as(state, subject).role != NounRole::kContent) return 0;
@@ -225,6 +236,9 @@ double Decoder::habit_score(const State& state, int place, Referent subject, Ref
                        sense_.carries(noun_of(state, host), target);
   const bool small =
       is_seat(lexicon_.catalog(), target) ? !says(senses, RelationType::kFacing) : mount_of(target) == Mount::kSurface || carried;
+  const bool in_middle = says(senses, RelationType::kCenterOfRoom) && comes_with(state, subject);
+  // "twelve desks with chairs facing the board": the desks
+  const bool class_looks = says(senses, RelationType::kFacing) && comes_with(state, subject) && several(state, host);
   // "a counter with a sink along the wall", "four stations with mirrors along it": the counter and the stations
   const bool along = word(place) == "along" && is_thing(state, host) && mount_of(noun_of(state, host)) == Mount::kFloor &&
                      (mount_of(target) == Mount::kWall || sense_.carries(noun_of(state, host), target) ||
@@ -245,7 +259,8 @@ double Decoder::habit_score(const State& state, int place, Referent subject, Ref
   if (beside && goes_with && by.kind == NounKind::kObject && mount_of(by) == Mount::kFloor && is_thing(state, host) &&
       mount_of(noun_of(state, host)) == Mount::kFloor && !same(state, host, other))
     score += weight::kSmallByPlace;
-  if ((is_place_of_room(by.kind) || by.niche) && !by.of && small) score += weight::kSmallByPlace;
+  if ((is_place_of_room(by.kind) || by.niche) && !by.of && (small || in_middle)) score += weight::kSmallByPlace;
+  if (class_looks) score += weight::kSmallByPlace;
   const bool by_the_way = unit(read_as(state, subject).predicate).joiner != Joiner::kNone;  // ", with two armchairs near the fireplace"
   if (!by_the_way && is_thing(state, host) && is_seat(lexicon_.catalog(), target) && is_table(lexicon_.catalog(), noun_of(state, host)) &&
       by.kind == NounKind::kObject && !says(senses, RelationType::kFacing) && word(place) != "at" && !same(state, host, other))

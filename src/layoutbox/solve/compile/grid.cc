@@ -30,7 +30,7 @@ void follow(Case& in, const Grid& grid, int row, int column, int axis, Mm usual)
   in.require_small(mid2(t, 1 - axis) - mid2(first, 1 - axis), 0);
   const Linear gap = lo(t, axis) - hi(before, axis);
   in.require(gap);
-  in.wish(gap - Linear(usual), 20);
+  if (usual > 0) in.wish(gap - Linear(usual), 20);
 }
 
 // The middles of three that follow one another are as far apart, and the third in line with the second.
@@ -66,10 +66,11 @@ void compile_Grid(Compilation& c) {
     for (const int t : c.targets) line.require_small(mid2(t, across) - mid2(c.targets[0], across), 2 * kSurelyUneven);
   }
   Case& in = f.add();
+  const bool anywhere = n > 0 && c.model.items[c.targets[0]].is(Trait::kBearsCeiling);  // pillars are as far apart as the room is long
   for (int i = 0; i < n; ++i) {
     const int row = i / grid.columns, column = i % grid.columns;
-    if (row > 0) follow(in, grid, row, column, 1, 600);
-    if (column > 0) follow(in, grid, row, column, 0, 400);
+    if (row > 0) follow(in, grid, row, column, 1, anywhere ? 0 : 600);
+    if (column > 0) follow(in, grid, row, column, 0, anywhere ? 0 : 400);
   }
   // Said of every row and column, not of the first alone: a search that places one after another sees at once what each must keep to.
   for (int i = 0; i < n; ++i) {

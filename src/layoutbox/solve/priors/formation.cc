@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "layoutbox/solve/compile/phrases.h"
+#include "layoutbox/solve/priors/habits.h"
 #include "layoutbox/solve/priors/seating.h"
 
 namespace layoutbox::placement {
@@ -16,9 +17,14 @@ constexpr Mm kBackOfSeat = 130;      // what of a chair stays before the edge
 constexpr Mm kBeforeKneeless = 100;  // from what one sits before without room for the knees
 constexpr Mm kSeatOfIsland = 450;    // what the seats take at either side of an island of desks
 constexpr Mm kBetweenIslands = 1500, kBetweenDesks = 20;
-constexpr Mm kRoundCounter = 1100;     // behind a counter, and before it
-constexpr int kOneRow = 5;             // so few seats that look at something sit in one row
-constexpr std::int64_t kUneven = 400;  // thousandths of the room that a last row which is not full may cost
+constexpr Mm kRoundReception = 2100;    // behind a reception desk, with who sits there, and before it
+constexpr Mm kRoundCounter = 1100;      // behind a counter, and before it
+constexpr int kOneRow = 5;              // so few seats that look at something sit in one row
+constexpr std::int64_t kUneven = 400;   // thousandths of the room that a last row which is not full may cost
+constexpr std::int64_t kUnseen = 1000;  // the same where not all see what they look at
+constexpr int kSeatsToAisle = 8;        // so many seats of a row are parted by an aisle in the middle
+constexpr Mm kAisle = 1000;
+constexpr Mm kBehindSitter = 600;  // from row to row of desks, beside the seats
 
 // Gaps wanted between neighbours, along the rows and from row to row.
 std::pair<Mm, Mm> gaps_of(const Item& item) {
@@ -26,7 +32,9 @@ std::pair<Mm, Mm> gaps_of(const Item& item) {
     return item.has_front ? std::pair<Mm, Mm>{500, kSeatRoom} : std::pair<Mm, Mm>{1300, 1300};
   if (item.thin) return {500, 400};
   if (item.has_front && item.is_seat && item.states[0].size.width >= kForSeveral) return {1000, 700};
-  return item.has_front ? std::pair<Mm, Mm>{80, 600} : std::pair<Mm, Mm>{500, 500};
+  if (item.is(Trait::kShelving)) return {0, 1200};
+  if (item.has_front) return item.is_seat ? std::pair<Mm, Mm>{80, 700} : std::pair<Mm, Mm>{100, 1200};
+  return {500, 500};
 }
 
 Mm lo_of(const PlacementModel& model, const PartOfRoom& part, int axis) { return part.axis == axis ? part.lo : model.room.lo[axis]; }
@@ -57,7 +65,8 @@ std::vector<PartOfRoom> parts_of_room(const PlacementModel& model, const std::ve
   return parts;
 }
 
-Formation formation_of(int n, const Size& size, Mm gap_across, Mm gap_deep, Mm room_across, Mm room_deep, int columns, Mm sides, Mm ends) {
+Formation formation_of(int n, const Size& size, Mm gap_across, Mm gap_deep, Mm room_across, Mm room_deep, const FormationWays& ways) {
+  const auto [columns, sides, ends, parted_from, in_view] = ways;
   const auto fitted = [](int count, Mm one, Mm gap, Mm room, Mm around) -> Mm {  // from middle to middle; 0: does not fit
     if (count == 1) return one + gap;
     const Mm most = (room - 2 * around - one) / (count - 1);
@@ -67,13 +76,18 @@ Formation formation_of(int n, const Size& size, Mm gap_across, Mm gap_deep, Mm r
   std::int64_t best_price = 0;
   for (int c = std::max(1, columns); c <= (columns > 0 ? columns : n); ++c) {
     const int rows = (n + c - 1) / c;
-    const Mm across = fitted(c, size.width, gap_across, room_across, sides), deep = fitted(rows, size.depth, gap_deep, room_deep, ends);
+    const bool parted = parted_from > 0 && c >= parted_from && c % 2 == 0;
+    if (parted_from > 0 && c >= parted_from && !parted && columns == 0) continue;
+    const Mm aisle = parted ? kAisle : 0;
+    const Mm across = fitted(c, size.width, gap_across, room_across - aisle, sides),
+             deep = fitted(rows, size.depth, gap_deep, room_deep, ends);
     if (across == 0 || deep == 0) continue;
     // Shares of the room that it takes along both should be alike; full rows are better.
-    const std::int64_t w = std::int64_t{1000} * (across * (c - 1) + size.width) / room_across,
+    const std::int64_t w = std::int64_t{1000} * (across * (c - 1) + size.width + aisle) / room_across,
                        d = std::int64_t{1000} * (deep * (rows - 1) + size.depth) / room_deep;
-    const std::int64_t price = std::abs(w - d) + (n % c ? kUneven : 0);
-    if (best.columns == 0 || price < best_price) best = {c, across, deep}, best_price = price;
+    const bool unseen = in_view > 0 && across * (c - 1) > in_view;
+    const std::int64_t price = std::abs(w - d) + (n % c ? kUneven : 0) + (unseen ? kUnseen : 0);
+    if (best.columns == 0 || price < best_price) best = {c, across, deep, aisle}, best_price = price;
   }
   return best;
 }
@@ -96,20 +110,27 @@ class FormationPlace {
   // `ahead`: which way along the columns they look. `aside`: what the words call a column is a row to those who stand in it.
   void add(int row_axis, std::uint64_t states, int ahead, bool aside, const Taken& taken = {}) {
     const int n = static_cast<int>(of_.group.size()), deep_axis = 1 - row_axis;
-    const Mm deep = extent(deep_axis, taken), free = ahead != 0 ? std::min(of_.before, deep / 3) : 0;
+    const Mm deep = extent(deep_axis, taken), free = looks(ahead) ? std::min(of_.before, deep / 3) : 0;
     const Formation form = form_in(extent(row_axis, taken), deep - free, ahead, aside);
     if (form.columns == 0) return;
     const int rows = (n + form.columns - 1) / form.columns;
-    // Twice the way from the room's middle, along the row and along the column.
+    // Twice the way of the middle of all from the room's: those who look at something are nearer to it than to the wall behind them, and
+    // of a desk and its seat it is the desk that is spoken of.
+    const Mm behind = looks(ahead) ? ends() : 0;
+    const Mm slack = deep - free - behind - form.deep * (rows - 1) - first_.states[0].size.depth - of_.seats;
+    const std::int64_t all = std::int64_t{ahead} * (looks(ahead) ? std::max(0, slack) / 3 + behind - free : 0) + ahead * of_.seats;
+    // … and of one, along the row and along the column.
     const auto place_of = [&](int one) {
       // Who is told to look at something has the middle of a row: from there it is straight ahead.
       const int middle = (form.columns - 1) / 2, leader = of_.leader;
       const int at = leader < 0 ? one : one == leader ? middle : one == middle ? leader : one;
       const int row = aside ? at % of_.columns : at / form.columns, column = aside ? at / of_.columns : at % form.columns;
-      // A last row that is not full stands about the middle, where no columns are asked for.
-      const int here = of_.columns == 0 && row + 1 == rows ? n - row * form.columns : form.columns;
-      return std::pair{std::int64_t{form.across} * (2 * column - (here - 1)),
-                       std::int64_t{form.deep} * (2 * row - (rows - 1)) - ahead * free};
+      // A last row that is not full stands about the middle, where no columns are asked for, and behind the others.
+      const int in_last = n - (rows - 1) * form.columns;
+      const bool parts = of_.columns == 0 && row + 1 == rows && (form.aisle == 0 || in_last % 2 == 0);
+      const int here = parts ? in_last : form.columns, line = of_.columns == 0 && ahead > 0 ? rows - 1 - row : row;
+      return std::pair{std::int64_t{form.across} * (2 * column - (here - 1)) + (2 * column < here ? -form.aisle : form.aisle),
+                       std::int64_t{form.deep} * (2 * line - (rows - 1)) + all};
     };
     Case& c = f_.add();
     if (states) c.when(item_, states);
@@ -131,6 +152,10 @@ class FormationPlace {
   }
 
  private:
+  bool looks(int ahead) const { return ahead != 0 && of_.before > 0; }
+  bool seats() const { return first_.is_seat && first_.has_front; }
+  Mm ends() const { return seats() || first_.thin || of_.seats > 0 ? kBehindSeats : kWayAround; }
+
   Mm extent(int axis, const Taken& taken) const {
     return hi_of(model_, of_.part, axis) - lo_of(model_, of_.part, axis) - (axis == taken.front.axis ? taken.depth : 0);
   }
@@ -139,16 +164,23 @@ class FormationPlace {
   Formation form_in(Mm across, Mm deep, int ahead, bool aside) const {
     const int n = static_cast<int>(of_.group.size());
     const int asked = aside ? (n + of_.columns - 1) / of_.columns : of_.columns;
-    const bool seats = first_.is_seat && first_.has_front, flat = first_.thin;
-    const auto [gap_across, gap_deep] = gaps_of(first_);
-    const auto formed = [&, wide = gap_across, far = gap_deep](int in_row, int tenths) {
-      return formation_of(n, first_.states[0].size, wide * tenths / 10, far * tenths / 10, across, deep, in_row,
-                          flat ? kBehindSeats : kWayAround, seats || flat ? kBehindSeats : kWayAround);
-    };
+    const Size& own = first_.states[0].size;
+    const Size size{own.width, own.depth + of_.seats, own.height};
+    if (first_.is(Trait::kBearsCeiling) && asked > 0) {  // spread over all of the room
+      const int rows = (n + asked - 1) / asked;
+      return {asked, across / asked, deep / rows};
+    }
+    const auto gaps = gaps_of(first_);
+    const Mm gap_across = gaps.first, gap_deep = of_.seats > 0 ? kBehindSitter : gaps.second;
+    // What is before the first row is left free already.
+    FormationWays ways{asked, first_.thin ? kBehindSeats : kWayAround, looks(ahead) ? ends() / 2 : ends(),
+                       seats() && own.width < kForSeveral && asked == 0 ? kSeatsToAisle : 0, of_.in_view};
     Formation form{0, 0, 0};
-    const bool one_row = seats && ahead != 0 && of_.before > 0 && of_.columns == 0 && n <= kOneRow;
+    const bool one_row = seats() && looks(ahead) && of_.columns == 0 && n <= kOneRow;
     for (const int in_row : {one_row ? n : asked, asked}) {
-      for (int tenths = 10; tenths > 0 && form.columns == 0; tenths -= 3) form = formed(in_row, tenths);  // closer in a small room
+      ways.columns = in_row;
+      for (int tenths = 10; tenths > 0 && form.columns == 0; tenths -= 3)  // closer in a small room
+        form = formation_of(n, size, gap_across * tenths / 10, gap_deep * tenths / 10, across, deep, ways);
     }
     return form;
   }
@@ -176,17 +208,26 @@ void add_formation_place(Formula& f, const PlacementModel& model, const Formatio
     });
     if (!f.cases.empty()) return;
   }
+  if (first.is_seat && of.counter >= 0) {  // who waits looks at who serves
+    for_each_turn(model.items[of.counter], [&](int turn, std::uint64_t turned) {
+      const Item& desk = model.items[of.counter];
+      if (!quarter(turn)) return;
+      const Direction front = side_direction(desk, Side::kFront, turn);
+      if (const std::uint64_t states = states_looking(model.items[item], opposite(front)))
+        places.add(across(front), states, -front.sign, of.columns > 0 && across(front) == 1,
+                   {turned, front, desk.states[0].size.depth + kRoundReception});
+    });
+    if (!f.cases.empty()) return;
+  }
   if (!first.has_front) return places.add(0, states_with_width_along(model.items[item], 0), 0, false);
   const Side eyes = looking_side(model, item);
-  // The places speak of nothing but the item itself, so that they hold whichever of the group comes first.
-  for (const bool aside : {false, true}) {
-    if (aside && (!f.cases.empty() || of.columns == 0)) return;
-    for_each_turn(model.items[item], [&](int turn, std::uint64_t states) {
-      if (!quarter(turn)) return;
-      const Direction ahead = side_direction(model.items[item], eyes, turn);
-      places.add(across(ahead), states, of.before > 0 ? ahead.sign : 0, aside);
-    });
-  }
+  // The places speak of nothing but the item itself, so that they hold whichever of the group comes first. Rows that words ask for run
+  // along x.
+  for_each_turn(model.items[item], [&](int turn, std::uint64_t states) {
+    if (!quarter(turn)) return;
+    const Direction ahead = side_direction(model.items[item], eyes, turn);
+    places.add(across(ahead), states, ahead.sign, of.columns > 0 && across(ahead) == 1);
+  });
 }
 
 void add_island_place(Formula& f, const PlacementModel& model, const FormationOf& of) {
@@ -203,7 +244,7 @@ void add_island_place(Formula& f, const PlacementModel& model, const FormationOf
     const int row_axis = across(back);
     Formation form{0, 0, 0};
     for (int tenths = 10; tenths > 0 && form.columns == 0; tenths -= 3) {
-      form = formation_of(pairs, island, kBetweenDesks, kBetweenIslands * tenths / 10, extent(row_axis), extent(back.axis), 0);
+      form = formation_of(pairs, island, kBetweenDesks, kBetweenIslands * tenths / 10, extent(row_axis), extent(back.axis));
     }
     if (form.columns == 0) return;
     const int rows = (pairs + form.columns - 1) / form.columns;

@@ -7,14 +7,25 @@
 
 namespace layoutbox::placement {
 
-// How many stand side by side, and how far the middles of neighbours are apart along the rows and from row to row.
+// How many stand side by side, and how far the middles of neighbours are apart along the rows and from row to row; and the aisle in the
+// middle that parts the rows.
 struct Formation {
   int columns = 1;
   Mm across = 0;
   Mm deep = 0;
+  Mm aisle = 0;
 };
 
 inline constexpr Mm kWayAround = 600;
+
+// Columns that are asked for, 0: as suits the room; what is left free before the walls beside the rows, and before and behind them; from
+// how many columns an aisle parts them, 0: never.
+struct FormationWays {
+  int columns = 0;
+  Mm sides = kWayAround, ends = kWayAround;
+  int parted_from = 0;
+  Mm in_view = 0;  // so far apart the first and the last of a row may be, to see the same thing straight ahead; 0: any
+};
 
 // The part of the room, along one axis, that a formation has where others share it; no axis: all of it is its own.
 struct PartOfRoom {
@@ -26,10 +37,8 @@ struct PartOfRoom {
 std::vector<PartOfRoom> parts_of_room(const PlacementModel& model, const std::vector<std::vector<int>>& groups);
 
 // The formation of n things of that size with at least those gaps that fits the room's shape best; 0 columns where none fits.
-// `room_across` and `room_deep` are the room's extents along and across the rows. `columns` given: it stays; `sides`, `ends`: so much is
-// left free before the walls beside the rows, and before and behind them.
-Formation formation_of(int n, const Size& size, Mm gap_across, Mm gap_deep, Mm room_across, Mm room_deep, int columns = 0,
-                       Mm sides = kWayAround, Mm ends = kWayAround);
+// `room_across` and `room_deep` are the room's extents along and across the rows.
+Formation formation_of(int n, const Size& size, Mm gap_across, Mm gap_deep, Mm room_across, Mm room_deep, const FormationWays& ways = {});
 
 // Whose place in a formation is wished for: group[k]'s.
 struct FormationOf {
@@ -38,6 +47,8 @@ struct FormationOf {
   int columns = 0;              // 0: as suits the room
   int weight = 0, in_line = 0;  // of the place in the room, and of that beside its neighbour
   Mm before = 0;                // floor left free before the first row, for what all look at
+  Mm seats = 0;                 // behind each, for the seat of who looks over it
+  Mm in_view = 0;               // as wide is what each of them is told to look at; 0: one looks for all
   int leader = -1;              // the one of them who has to see it straight ahead
   int counter = -1;             // what they stand before, and not behind or where its own place is
   PartOfRoom part = {};

@@ -28,7 +28,10 @@ void Habits::add(int index) {
   keep_hint(index);
   switch (item.mount) {
     case Mount::kCeiling: hang_from_ceiling(index); return;
-    case Mount::kWall: hang_on_wall(index); return;
+    case Mount::kWall:
+      hang_on_wall(index);
+      if (index == board_of_room() && !placed_by_relation(index)) hang_on_blank_wall(index);
+      return;
     case Mount::kSurface: sit_on_host(index), stand_at_side(index); return;
     case Mount::kHung: return;
     case Mount::kFloor: break;
@@ -67,7 +70,10 @@ void Habits::stand(int index) {
   if (manned) {
     // Who sits behind it has the wall behind.
   } else if (item.entry->back_to_wall) {
-    if (!told_to_stand_free(index)) back_to_wall(index, kBackToWall);
+    // The nightstands of a bed in the middle of the room stay beside it.
+    const std::vector<int> hosts = with_host ? usual_hosts(index) : std::vector<int>{};
+    const bool by_free = std::ranges::any_of(hosts, [&](int host) { return related(index, host) && told_to_stand_free(host); });
+    if (!by_free && !told_to_stand_free(index)) back_to_wall(index, kBackToWall);
     stand_in_run(index);
     if (!stand_as_twin(index) && !with_host) stand_in_wall_row(index);
   } else if (!with_host && only_told_opening(index) && !item.is(Trait::kSeat) && !item.is(Trait::kEasySeat) && !has_sitters(index)) {

@@ -16,7 +16,7 @@ namespace layoutbox::placement {
 // Points per metre missed; docs/solve.md says where they come from.
 inline constexpr int kBackToWall = 900, kBeside = 500, kFaces = 600, kAtWall = 150, kSeatToWall = 700, kRug = 300, kHint = 800,
                      kHintOfTurn = 20000, kOpeningPlace = 80, kHangs = 200, kSits = 400, kCurtain = 900, kMiddle = 40, kLight = 25,
-                     kFormation = 150, kInLine = 400;
+                     kFormation = 150, kInLine = 1000;
 
 inline std::int64_t area_of(const Item& item) { return std::int64_t{item.states[0].size.width} * item.states[0].size.depth; }
 
@@ -206,8 +206,15 @@ class Habits {
   bool fits_islands(int item) const;
   int leader_of(const Group& group) const;
   int counter_of_room() const;
+  int desk_waited_at(const Group& group) const;
   Mm teachers_depth() const;
+  Mm depth_of_seats(const Group& group) const;
+  Mm depth_before(int first) const;
+  Mm view_of(const Group& group) const;
   bool faces_a_class(int item) const;
+  bool only_placed_before(int item, int other) const;
+  void enter_behind_class(int door);
+  void hang_on_blank_wall(int board);
   bool stand_in_islands(int item, const Group& group, int k);
   bool stand_in_blocks(int item);
   bool told_where_to_look(int item) const;

@@ -11,7 +11,6 @@ namespace {
 constexpr std::size_t kManyInFormation = 4, kManySeats = 7;
 constexpr std::int64_t kManySize = 3'000'000;              // mm²: larger things are no crowd
 constexpr std::int64_t kTableToSitRound = 400'000;         // mm²
-constexpr Mm kStageDepth = 1600;                           // left before a crowd for what it looks at and who stands there
 constexpr Mm kBeforeCrowd = 1000;                          // free before the first row, between it and what all look at
 constexpr Mm kTwinAir = 60;                                // between twins besides what stands there
 constexpr int kKeepOff = 300, kInRun = 250, kTwins = 300;  // points a metre
@@ -45,13 +44,21 @@ std::size_t Habits::least_in_formation(int item) const {
 }
 
 std::optional<Habits::Group> Habits::formation_with(int item) const {
-  if (const std::optional<Group> grid = grid_with(item)) return grid;
   const Item& self = model_.items[item];
+  if (const std::optional<Group> grid = grid_with(item)) {
+    // The beds of a ward in two rows have the walls to go by, and are turned to one another.
+    const bool at_wall = self.entry->back_to_wall && std::ranges::any_of(said_of(item), [](const Relation* r) {
+                           return r->type == RelationType::kAgainstWall || r->type == RelationType::kOnWall;
+                         });
+    return at_wall ? std::nullopt : grid;
+  }
   // What usually stands at a wall and is told where to look, as a class's desks are, stands in rows, desks of an office in islands.
   const bool at_wall = self.entry->back_to_wall && !told_where_to_look(item) && !fits_islands(item);
   if (self.mount != Mount::kFloor || at_wall || area_of(self) > kManySize) return std::nullopt;
   // Small things that nobody walks up to (plants, barrels) stand at the walls and in the corners, however many.
-  if (used_sides(self).empty() && !self.thin && !self.is(Trait::kSeat) && area_of(self) < kTableToSitRound) return std::nullopt;
+  if (used_sides(self).empty() && !self.is(Trait::kBearsCeiling) && !self.thin && !self.is(Trait::kSeat) &&
+      area_of(self) < kTableToSitRound)
+    return std::nullopt;
   const bool has_host = std::ranges::any_of(items_of_kinds(self.entry->beside, item),
                                             [&](int h) { return !model_.items[h].thin && area_of(model_.items[h]) > area_of(self); });
   if (has_host && !has_knee_room(self)) return std::nullopt;
@@ -342,25 +349,6 @@ int Habits::leader_of(const Group& group) const {
   return leader;
 }
 
-// Where guests or customers are served, which nobody placed; -1: nowhere.
-int Habits::counter_of_room() const {
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const Item& bar = model_.items[i];
-    const bool served_over = bar.is(Trait::kCounter) && bar.is(Trait::kOpenToRoom) && bar.has_front && bar.mount == Mount::kFloor;
-    if (served_over && used_sides(bar).size() < 4 && !placed_besides_facing(static_cast<int>(i))) return static_cast<int>(i);
-  }
-  return -1;
-}
-
-// What a teacher's desk that nobody placed takes between the class and its board.
-Mm Habits::teachers_depth() const {
-  constexpr Mm kForTeacher = 900;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    if (faces_a_class(static_cast<int>(i))) return kForTeacher;
-  }
-  return 0;
-}
-
 // Two rows back to back, turned one way and the other.
 bool Habits::stand_in_islands(int item, const Group& group, int k) {
   Formula f;
@@ -389,7 +377,8 @@ bool Habits::stand_in_formation(int item) {
   Formula f;
   // Tables stand before the bar; those of a class before the board.
   const bool tables = group->columns == 0 && model_.items[first].is(Trait::kTable);
-  const int bar = tables ? counter_of_room() : -1, counter = tables && bar < 0 ? board_of_room() : bar;
+  const int bar = tables ? counter_of_room() : -1, waited_at = group->columns > 0 || !tables ? desk_waited_at(*group) : -1;
+  const int counter = waited_at >= 0 ? waited_at : tables && bar < 0 ? board_of_room() : bar;
   // Round something in the middle of the room each stands where there is room for it.
   const bool crossed = !told_middle_with_others(first) && middle_is_taken(first);
   const bool looks =
@@ -400,7 +389,9 @@ bool Habits::stand_in_formation(int item) {
                        .columns = group->columns,
                        .weight = crossed ? 2 * kFormation : kFormation,
                        .in_line = crossed ? 0 : kInLine,
-                       .before = looks || counter != bar ? kStageDepth + teachers_depth() : 0,
+                       .before = waited_at < 0 && (looks || counter != bar) ? depth_before(first) : 0,
+                       .seats = depth_of_seats(*group),
+                       .in_view = view_of(*group),
                        .leader = group->columns == 0 ? leader_of(*group) : -1,
                        .counter = counter,
                        .part = part_of(*group)});

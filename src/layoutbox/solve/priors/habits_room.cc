@@ -183,8 +183,8 @@ bool Habits::leave_room_behind(int item) {
   const bool told = used_side(self) == Side::kFront && looking_side(model_, item) == Side::kFront;
   const bool served_over = open && self.is(Trait::kCounter) && used.size() < 4;  // no island
   if ((!self.is(Trait::kDeskLike) || (!open && !told)) && !served_over) return false;
-  if (placed_besides_facing(item) && !only_told_across(item)) return true;
   face_the_class(item);
+  if (placed_besides_facing(item) && !only_told_across(item)) return true;
   Formula f;
   for (const RoomWall& wall : model_.walls) {
     if (!wall.straight) continue;
@@ -444,6 +444,7 @@ void Habits::open_well(int item) {
     }
   }
   habit("place", item, kOpeningPlace, std::move(f));
+  if (opening.type == OpeningType::kDoor) enter_behind_class(item);
 }
 
 }  // namespace layoutbox::placement

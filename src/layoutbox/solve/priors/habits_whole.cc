@@ -53,11 +53,23 @@ void Habits::lie_alike(int item) {
   }
 }
 
-// A teacher's desk in a room whose seats or desks look at a board.
+// A teacher's desk in a room whose seats or desks look at a board; words say at most that it is by that.
 bool Habits::faces_a_class(int item) const {
   const Item& self = model_.items[item];
+  const int board = board_of_room();
   return self.mount == Mount::kFloor && self.is(Trait::kDeskLike) && self.is(Trait::kOpenToRoom) &&
-         used_sides(self) == std::vector<Side>{Side::kBack} && !placed_besides_facing(item) && board_of_room() >= 0;
+         used_sides(self) == std::vector<Side>{Side::kBack} && board >= 0 && only_placed_before(item, board);
+}
+
+// Do words place it nowhere, or before or by that other alone?
+bool Habits::only_placed_before(int item, int other) const {
+  using R = RelationType;
+  return std::ranges::none_of(said_of(item), [&](const Relation* r) {
+    if (std::ranges::find(r->targets, model_.items[item].id) == r->targets.end()) return false;
+    if (r->type == R::kFacing || r->type == R::kSameOrientation || r->type == R::kParallel) return false;
+    const bool before = r->type == R::kInFrontOf || r->type == R::kNear || r->type == R::kCenteredOn;
+    return !before || r->references.size() != 1 || r->references[0] != model_.items[other].id;
+  });
 }
 
 // What hangs there for all to look at and is no television; -1: nothing.
@@ -67,6 +79,36 @@ int Habits::board_of_room() const {
     if (board.mount == Mount::kWall && board.is(Trait::kScreen) && !board.is(Trait::kElseOnWall)) return static_cast<int>(i);
   }
   return -1;
+}
+
+// One comes in behind or beside a class, not between it and its board.
+void Habits::enter_behind_class(int door) {
+  constexpr int kComesInBefore = 60;  // points a metre
+  const int board = board_of_room();
+  if (board < 0 || teachers_depth() == 0) return;
+  Formula f;
+  for_each_turn(model_.items[board], [&](int turn, std::uint64_t states) {
+    if (turn % 90 != 0) return;
+    const Direction front = side_direction(model_.items[board], Side::kFront, turn);
+    f.add().when(board, states).require(2 * gap_towards(door, board, front) - Linear(model_.room.extent(front.axis)));
+  });
+  if (!f.cases.empty()) habit("behind the class", door, kComesInBefore, std::move(f));
+}
+
+// A class looks at a wall without windows, the windows at its side.
+void Habits::hang_on_blank_wall(int board) {
+  constexpr int kByWindow = 150;  // points a window
+  Formula f;
+  bool any = false;
+  for (const RoomWall& wall : model_.walls) {
+    if (!wall.straight) continue;
+    const auto windows = std::ranges::count_if(model_.scene->room.openings, [&](const Opening& opening) {
+      return opening.type == OpeningType::kWindow && opening.wall == wall.id;
+    });
+    any |= windows > 0;
+    f.add().when(board, model_.items[board].states_at(wall.turn)).price = static_cast<int>(windows) * kByWindow;
+  }
+  if (any && !f.cases.empty()) habit("not by the windows", board, kByWindow, std::move(f));
 }
 
 // The teacher looks the way the board does, and stands on its side of the room.
