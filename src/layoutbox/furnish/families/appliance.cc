@@ -57,12 +57,12 @@ void kettle(Piece& p) {
 
 // A tower over a drip tray, with a jug or with two spouts and a steam pipe.
 void coffee_machine(Piece& p) {
-  const bool espresso = p.word("kind", "").find("espresso") != std::string::npos || p.says("espresso");
+  const bool espresso = p.says("espresso");
   const int body = p.main(espresso ? "steel" : "black_plastic"), dark = p.named("black_plastic"), chrome = p.named("chrome");
   const double x = p.w / 2, y = p.d / 2, base = p.h * 0.14, head = p.h * 0.68, back = y - p.d * 0.42;
   p.add(body, rounded_box(sides(-x, x, -y, y, 0, base), std::min(0.012, base * 0.3), 2));
   p.add(dark, box(sides(-x * 0.8, x * 0.8, -y + 0.012, back, base - 0.004, base + 0.002), 0));
-  p.add(body, box(sides(-x, x, back, y, base * 0.5, p.h * 0.9), 0.006));
+  p.add(body, box(sides(-x + 0.002, x - 0.002, back, y - 0.002, base * 0.5, p.h * 0.9), 0.006));
   p.add(body, rounded_box(sides(-x, x, -y + p.d * 0.04, y, head, p.h), std::min(0.015, p.h * 0.05), 2));
   const double cy = (back - y) / 2;
   if (espresso) {

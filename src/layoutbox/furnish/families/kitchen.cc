@@ -112,6 +112,17 @@ void washing_machine(Piece& p) {
   const int body = p.main("painted_metal"), chrome = p.named("chrome"), glass = p.named("screen"), dark = p.named("grey_plastic");
   const double face = -p.d / 2 + 0.035, r = std::min(p.w * 0.34, p.h * 0.24), z = p.h * 0.45;
   machine_body(p, body, sides(-p.w / 2, p.w / 2, face, p.d / 2, 0, p.h), 0.012);
+  if (p.word("kind", "") == "dryer") {  // a closed door in the body's colour, and the grille of its heat exchanger
+    p.add(body, lathe({{0, 0}, {r * 1.08, 0}, {r * 1.08, 0.02}, {r * 0.9, 0.034}, {0, 0.034}}, 36),
+          aimed({0, face + 0.002, z}, {0, -1, 0}));
+    p.add(chrome, lathe({{r * 0.6, 0.02}, {r * 0.66, 0.02}, {r * 0.66, 0.036}, {r * 0.6, 0.036}, {r * 0.6, 0.02}}, 36),
+          aimed({0, face + 0.002, z}, {0, -1, 0}));
+    for (int i = 0; i < 5; ++i)
+      p.add(dark, box(sides(p.w * 0.2, p.w * 0.42, face - 0.003, face + 0.004, p.h * (0.07 + 0.016 * i), p.h * (0.078 + 0.016 * i)), 0));
+    dial(p, chrome, {0, face + 0.001, p.h * 0.91}, std::min(0.035, p.h * 0.04), 0.02);
+    p.add(p.named("lit_screen"), box(sides(p.w * 0.18, p.w * 0.4, face - 0.003, face + 0.004, p.h * 0.885, p.h * 0.935), 0.001));
+    return;
+  }
   p.add(chrome, lathe({{r * 0.76, 0}, {r, 0}, {r, 0.02}, {r * 0.9, 0.033}, {r * 0.76, 0.033}, {r * 0.76, 0}}, 36),
         aimed({0, face + 0.002, z}, {0, -1, 0}));
   p.add(glass, lathe({{0, 0}, {r * 0.77, 0}, {r * 0.77, 0.02}, {r * 0.4, 0.037}, {0, 0.037}}, 32), aimed({0, face + 0.002, z}, {0, -1, 0}));
