@@ -127,6 +127,21 @@ void lath_panel(Piece& p) {
   }
 }
 
+// A heading and lines of words, as strokes on the face at `front`.
+void writing(Piece& p, bool chalk, double front) {
+  const int ink = chalk ? p.tinted("paper", {0.86, 0.88, 0.84}) : p.tinted("plastic", {0.16, 0.30, 0.58});
+  const double left = -p.w * 0.42, line = std::min(0.11, p.h * 0.13), thick = line * 0.22, lift = std::min(0.001, p.d * 0.1);
+  const int lines = std::min(5, static_cast<int>(p.h * 0.62 / line));
+  for (int row = 0; row < lines; ++row) {
+    const double z = p.h * 0.84 - row * line, end = left + p.w * (row == 0 ? 0.34 : p.random(0.36, 0.5));
+    for (double x = left; x < end;) {
+      const double word = std::min(line * p.random(0.6, 1.6), end - x + 0.01);
+      p.add(ink, box(sides(x, x + word, front - lift, front + lift, z - thick * (row == 0 ? 1 : 0.6), z), 0));
+      x += word + line * 0.3;
+    }
+  }
+}
+
 void board(Piece& p) {
   if (p.word("kind", "") == "panel") return lath_panel(p);
   const std::string kind = p.word("kind", p.says("cork") || p.says("bulletin") ? "cork"
@@ -140,6 +155,7 @@ void board(Piece& p) {
                                      : p.named("ceramic");
   const double front = -p.d / 2 + (kind == "peg" ? p.d * 0.6 : std::min(0.006, p.d * 0.4));
   p.add(face, box(sides(-p.w / 2 + t, p.w / 2 - t, front, p.d / 2 - 0.001, t, p.h - t), 0));
+  if ((kind == "chalk" || kind == "white") && p.may_show_contents() && std::min(p.w, p.h) > 0.4) writing(p, kind == "chalk", front);
   if (kind == "peg" && p.may_show_contents())
     hanging_tools(p, sides(-p.w / 2 + t * 2, p.w / 2 - t * 2, -p.d / 2 + 0.002, front, t * 2, p.h - t * 2));
 }
