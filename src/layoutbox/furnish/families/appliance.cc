@@ -86,6 +86,22 @@ void coffee_machine(Piece& p) {
   p.fit();
 }
 
+void microwave(Piece& p) {
+  const int body = p.main("black_plastic"), glass = p.named("screen");
+  const double face = -p.d / 2 + 0.03, foot = p.h * 0.04;
+  p.add(body, box(sides(-p.w / 2, p.w / 2, face, p.d / 2, foot, p.h), 0.006));
+  for (const double x : {-0.38, 0.38})
+    p.add(p.named("black_plastic"), box(sides(x * p.w - p.w * 0.04, x * p.w + p.w * 0.04, -p.d * 0.3, p.d * 0.4, 0, foot + 0.002), 0));
+  p.add(p.named("steel"), box(sides(-p.w / 2 + 0.004, p.w * 0.24, face - 0.008, face + 0.002, foot + 0.006, p.h - 0.006), 0.003));
+  p.add(glass, box(sides(-p.w / 2 + 0.04, p.w * 0.17, face - 0.011, face, p.h * 0.2, p.h * 0.85), 0.002));
+  handle(p, p.named("chrome"), Handle::kVertical, {p.w * 0.205, face - 0.006, p.h * 0.52}, p.h * 0.6, 0.024);
+  p.add(p.named("lit_screen"), box(sides(p.w * 0.29, p.w * 0.45, face - 0.002, face + 0.004, p.h * 0.76, p.h * 0.87), 0.001));
+  for (int i = 0; i < 6; ++i) {
+    const double x = p.w * (0.3 + 0.09 * (i % 2)), z = p.h * (0.58 - 0.15 * (i / 2));
+    p.add(p.named("grey_plastic"), box(sides(x, x + p.w * 0.06, face - 0.003, face + 0.004, z, z + p.h * 0.08), 0.001));
+  }
+}
+
 void stand_mixer(Piece& p) {
   const int body = p.main_accent("painted_metal"), steel = p.named("steel");
   p.add(body, rounded_box(sides(-0.55, 0.5, -0.3, 0.3, 0, 0.1), 0.045, 3));
@@ -207,6 +223,7 @@ void pump_bottle(Piece& p) {
 }  // namespace
 
 void add_appliances(Families& to) {
+  to["microwave"] = microwave;
   to["toaster"] = toaster;
   to["range_hood"] = range_hood;
   to["kettle"] = kettle;

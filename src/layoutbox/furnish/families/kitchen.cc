@@ -131,22 +131,6 @@ void washing_machine(Piece& p) {
   p.add(p.named("lit_screen"), box(sides(p.w * 0.18, p.w * 0.4, face - 0.003, face + 0.004, p.h * 0.885, p.h * 0.935), 0.001));
 }
 
-void microwave(Piece& p) {
-  const int body = p.main("black_plastic"), glass = p.named("screen");
-  const double face = -p.d / 2 + 0.03, foot = p.h * 0.04;
-  p.add(body, box(sides(-p.w / 2, p.w / 2, face, p.d / 2, foot, p.h), 0.006));
-  for (const double x : {-0.38, 0.38})
-    p.add(p.named("black_plastic"), box(sides(x * p.w - p.w * 0.04, x * p.w + p.w * 0.04, -p.d * 0.3, p.d * 0.4, 0, foot + 0.002), 0));
-  p.add(p.named("steel"), box(sides(-p.w / 2 + 0.004, p.w * 0.24, face - 0.008, face + 0.002, foot + 0.006, p.h - 0.006), 0.003));
-  p.add(glass, box(sides(-p.w / 2 + 0.04, p.w * 0.17, face - 0.011, face, p.h * 0.2, p.h * 0.85), 0.002));
-  handle(p, p.named("chrome"), Handle::kVertical, {p.w * 0.205, face - 0.006, p.h * 0.52}, p.h * 0.6, 0.024);
-  p.add(p.named("lit_screen"), box(sides(p.w * 0.29, p.w * 0.45, face - 0.002, face + 0.004, p.h * 0.76, p.h * 0.87), 0.001));
-  for (int i = 0; i < 6; ++i) {
-    const double x = p.w * (0.3 + 0.09 * (i % 2)), z = p.h * (0.58 - 0.15 * (i / 2));
-    p.add(p.named("grey_plastic"), box(sides(x, x + p.w * 0.06, face - 0.003, face + 0.004, z, z + p.h * 0.08), 0.001));
-  }
-}
-
 // A swan neck that ends `reach` before its foot, and two handles.
 void tap(Piece& p, double x, double y, double z, double tall, double reach) {
   const int chrome = p.named("chrome");
@@ -299,7 +283,6 @@ void add_kitchen(Families& to) {
   to["oven"] = oven;
   to["dishwasher"] = dishwasher;
   to["washing_machine"] = washing_machine;
-  to["microwave"] = microwave;
   to["sink"] = sink;
 }
 
