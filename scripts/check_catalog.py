@@ -129,7 +129,17 @@ def check_neighbours(entry: dict, ids: dict[str, dict]) -> Iterator[str]:
             yield f"{name} of usually {own[1]} m is far from that of {parent['name']} ({others[0]} to {others[2]} m)"
 
 
-def check_entry(entry: dict, ids: dict[str, dict], rooms: set[str], families: dict[str, dict]) -> Iterator[str]:
+def check_shape_words(shape: dict, families: dict[str, dict], common: dict[str, dict]) -> Iterator[str]:
+    """Words that its family knows, or all do, with values of theirs."""
+    known = common | families.get(shape["family"], {}).get("words", {})
+    for word, value in shape.get("words", {}).items():
+        if word not in known:
+            yield f"shapes of the family '{shape['family']}' have no word '{word}'"
+        elif value not in known[word].get("values", [value]):
+            yield f"{word} is '{value}', none of {', '.join(known[word]['values'])}"
+
+
+def check_entry(entry: dict, ids: dict[str, dict], rooms: set[str], families: dict[str, dict], words: dict[str, dict]) -> Iterator[str]:
     """Faults of one entry by itself and of the ids that it names."""
     for key in entry.keys() - KEYS:
         yield f"unknown member '{key}'"
@@ -145,6 +155,8 @@ def check_entry(entry: dict, ids: dict[str, dict], rooms: set[str], families: di
             yield f"{key}: sides are front, back, left, right"
     if families and entry["shape"].get("family") not in families:
         yield f"shape family '{entry['shape'].get('family')}' is unknown: it has no row in catalog/shapes.json"
+    elif families:
+        yield from check_shape_words(entry["shape"], families, words)
     if entry.get("thin") and three(entry["size"]["h"])[2] > THIN:
         yield f"thin, but up to {three(entry['size']['h'])[2]} m high"
     for key in ("standsOn", "faces", "beside"):
@@ -293,19 +305,20 @@ def check_models(folder: Path, entries: list[dict]) -> Iterator[str]:
 
 def check(folder: Path) -> tuple[list[str], int]:
     """All faults of the catalogue in a folder, and the number of its entries."""
-    entries, rooms, families = [], [], {}
+    entries, rooms, families, words = [], [], {}, {}
     for path in sorted(folder.glob("*.json")):
         data = json.loads(path.read_text(encoding="utf-8"))
         if isinstance(data, dict):
             entries += data.get("entries", [])
             rooms += data.get("rooms", [])
             families |= data.get("families", {})
+            words |= data.get("words", {}) if "families" in data else {}
     ids = {entry["id"]: entry for entry in entries}
     room_ids = {room["id"] for room in rooms}
     faults = list(check_like(folder, ids)) + list(check_words(entries)) + list(check_words(rooms)) + list(check_rooms(rooms, ids))
     faults += [*check_models(folder, entries), *check_uses(folder, ids, room_ids)]
     for entry in entries:
-        own = [*check_entry(entry, ids, room_ids, families), *check_ancestors(entry, ids)]
+        own = [*check_entry(entry, ids, room_ids, families, words), *check_ancestors(entry, ids)]
         faults += [f"{entry['id']}: {fault}" for fault in own]
     return faults, len(entries)
 

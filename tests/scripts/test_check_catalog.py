@@ -35,6 +35,10 @@ ENTRIES = [
         "source": "measured",
     },
 ]
+SHAPES = {
+    "families": {"table": {"words": {"top": {"values": ["rect", "round"], "meaning": "outline"}}}, "cup": {}},
+    "words": {"material": {"meaning": "what it is made of"}},
+}
 ROOMS = [{"id": "kitchen", "name": "kitchen", "size": {"w": 3, "d": 3, "h": 2.6}, "usual": [["table", 1]]}]
 
 
@@ -81,7 +85,7 @@ def check(entries: list[dict], rooms: list[dict]) -> tuple[int, str]:
     with tempfile.TemporaryDirectory() as folder:
         Path(folder, "things.json").write_text(json.dumps({"entries": entries}), encoding="utf-8")
         Path(folder, "rooms.json").write_text(json.dumps({"rooms": rooms}), encoding="utf-8")
-        Path(folder, "shapes.json").write_text(json.dumps({"families": {"table": {}, "cup": {}}}), encoding="utf-8")
+        Path(folder, "shapes.json").write_text(json.dumps(SHAPES), encoding="utf-8")
         Path(folder, "words.json").write_text(json.dumps({"about": "other data"}), encoding="utf-8")
         return run(Path(folder))
 
@@ -104,6 +108,10 @@ class CheckCatalog(unittest.TestCase):
         status, text = check(entries, rooms)
         self.assertEqual(status, 1, text)
         self.assertIn(expected, text)
+
+    def test_words_of_shapes(self) -> None:
+        self.fault(lambda e, r: e[0]["shape"].update(words={"material": "oak", "tops": "round"}), "have no word 'tops'")
+        self.fault(lambda e, r: e[0]["shape"].update(words={"top": "star"}), "none of rect, round")
 
     def test_sizes(self) -> None:
         self.fault(lambda e, r: e[0]["size"].update(w=[1.2, 1.0, 1.6]), "least ≤ usual ≤ greatest")

@@ -12,18 +12,24 @@
 
 namespace layoutbox {
 
-// A family of shapes: how the floor plan draws it, and the numbers that its mesh is made by.
+// A family of shapes: how the floor plan draws it, and the numbers and words that its mesh is made by.
 struct ShapeFamily {
   struct Number {
     double least = 0, most = 0;
     std::optional<double> usual;  // where an entry does not give it; none: by its size
   };
+  struct Word {
+    std::vector<std::string> values;   // empty: any
+    std::optional<std::string> usual;  // where an entry does not give it; none: as the family sees fit
+  };
   std::string symbol;
   std::map<std::string, Number> numbers;
+  std::map<std::string, Word> words;
 };
 
 struct CatalogData {
-  std::map<std::string, ShapeFamily> families;  // empty: shapes are not checked
+  std::map<std::string, ShapeFamily> families;           // empty: shapes are not checked
+  std::map<std::string, ShapeFamily::Word> shape_words;  // of all families
   std::vector<CatalogEntry> entries;
   std::vector<RoomKind> rooms;
 };

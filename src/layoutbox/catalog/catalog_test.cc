@@ -251,6 +251,24 @@ TEST(Catalog, ShapesHaveTheNumbersOfTheirFamily) {
   EXPECT_THAT(faults(R"({"family": "raft"})").at(0).message, HasSubstr("no family"));
 }
 
+TEST(Catalog, ShapesHaveTheWordsOfTheirFamily) {
+  CatalogData data;
+  ASSERT_TRUE(read_catalog_data(
+      R"({"words": {"material": {"meaning": "stuff"}}, "families": {"rug": {"words": {"top": {"values": ["rect", "round"], "meaning": "outline"}}}}})",
+      data));
+  const auto faults = [&](std::string_view words) {
+    data.entries.clear();
+    const std::string entry =
+        R"({"entries": [{"id": "rug", "name": "rug", "size": {"w": 1, "d": 2, "h": 0.01}, "shape": {"family": "rug", "words": )" +
+        std::string(words) + "}}]}";
+    EXPECT_TRUE(read_catalog_data(entry, data));
+    return check_catalog_data(data);
+  };
+  EXPECT_TRUE(faults(R"({"top": "round", "material": "wool"})").empty());
+  EXPECT_THAT(faults(R"({"topp": "round"})").at(0).message, HasSubstr("have no word \"topp\""));
+  EXPECT_THAT(faults(R"({"top": "star"})").at(0).message, HasSubstr("none of rect, round"));
+}
+
 TEST(Catalog, IsPackedWithoutLoss) {
   CatalogData data;
   ASSERT_TRUE(read_catalog_data(kEntries, data));

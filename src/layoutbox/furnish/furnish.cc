@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/furnish/kit_detail.h"
 #include "layoutbox/furnish/own_meshes.h"
 #include "layoutbox/furnish/piece.h"
@@ -54,6 +56,20 @@ double lower_onto_floor(std::vector<FreeSpace>& spaces) {
   return raised;
 }
 
+// Curtains that share a window: at which side of `object` the other one of its kind begins.
+int side_of_twin(const PlacedObject& object, const Layout& layout) {
+  constexpr double kGap = 200;  // mm
+  const double turn = object.rotation_deg * std::numbers::pi / 180;
+  for (const PlacedObject& other : layout.objects) {
+    if (other.id == object.id || other.category != object.category || other.mount != object.mount) continue;
+    const double dx = other.position[0] - object.position[0], dy = other.position[1] - object.position[1];
+    const double along = dx * std::cos(turn) + dy * std::sin(turn), across = dy * std::cos(turn) - dx * std::sin(turn);
+    if (std::abs(across) > kGap || std::abs(along) > (object.size.width + other.size.width) / 2.0 + kGap) continue;
+    return along < 0 ? -1 : 1;
+  }
+  return 0;
+}
+
 Result<Node> object_node(const PlacedObject& object, const Catalog& catalog, const Layout* layout, Palette& palette, const Decor& decor,
                          const FurnishOptions& options) {
   const CatalogEntry& entry = catalog.entry_or_nearest(object.category);
@@ -73,6 +89,7 @@ Result<Node> object_node(const PlacedObject& object, const Catalog& catalog, con
   PlacedObject body = object;
   body.size.height -= static_cast<Mm>(std::lround(raised * 1000));
   kit::Piece piece(body, entry, std::move(spaces), material, palette, decor, options.seed, options.contents);
+  if (layout != nullptr && entry.is(Trait::kCurtain)) piece.twin = side_of_twin(object, *layout);
   kit::family_or_generic(entry.shape.family)(piece);
   if (raised > 0) piece.raise(raised);
   return placed(piece.take_node());

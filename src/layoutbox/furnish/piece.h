@@ -34,6 +34,8 @@ class Piece {
   double w, d, h;
   Box body() const { return {{-w / 2, -d / 2, 0}, {w / 2, d / 2, h}}; }
   const std::vector<FreeSpace> spaces;
+  // The side where another of its kind hangs right beside it: -1 left, 1 right, 0 none.
+  int twin = 0;
 
   // Parameters: of the catalogue, else `otherwise`.
   double number(std::string_view key, double otherwise) const;

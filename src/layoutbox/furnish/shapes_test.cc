@@ -1,4 +1,4 @@
-// catalog/shapes.json against the families themselves: each is there, and each of its numbers changes the mesh.
+// catalog/shapes.json against the families themselves: each is there, and each of its numbers and words changes what is drawn.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -70,6 +70,55 @@ TEST(Shapes, EveryNumberChangesTheMeshAndHasItsDefault) {
   }
 }
 
+// Everything that is drawn of the piece: corners, and the surfaces they are of. Its name says nothing.
+std::string drawing_of(CatalogEntry entry, const std::string& word, const std::optional<std::string>& value, bool hollow) {
+  entry.shape.words.erase(word);
+  if (value) entry.shape.words[word] = *value;
+  PlacedObject object;
+  object.id = object.category = entry.id;
+  object.name = "thing";
+  object.size = entry.size.usual;
+  object.mount = entry.mount;
+  if (hollow) object.spaces = spaces_at(entry, object.size);
+  const auto model = furnish_object(object, Catalog({entry}, {}));
+  std::string drawing;
+  if (!model) return drawing;
+  for (const Node& node : model->nodes) {
+    for (const Part& part : node.parts) {
+      drawing += model->surfaces.at(static_cast<std::size_t>(part.surface)).name + ":";
+      for (const Vec3f& c : part.mesh.positions) drawing.append(reinterpret_cast<const char*>(c.data()), sizeof c);
+    }
+  }
+  return drawing;
+}
+
+TEST(Shapes, EveryWordChangesTheDrawingAndHasItsDefault) {
+  for (const auto& [name, family] : shapes().families) {
+    for (const auto& [word, spec] : family.words) {
+      for (const std::string& value : spec.values) {
+        SCOPED_TRACE(name + "." + word + " = " + value);
+        bool changes = false;
+        for (const CatalogEntry& entry : Catalog::builtin().entries()) {
+          if (entry.shape.family != name || changes) continue;
+          for (const bool hollow : {true, false})
+            changes = changes || drawing_of(entry, word, value, hollow) != drawing_of(entry, word, {}, hollow);
+        }
+        EXPECT_EQ(changes, value != spec.usual) << "nothing reads it, or it is not the default";
+      }
+    }
+  }
+}
+
+TEST(Shapes, MaterialsAndColoursOfTheCatalogueAreKnown) {
+  for (const CatalogEntry& entry : Catalog::builtin().entries()) {
+    for (const auto& [word, value] : entry.shape.words) {
+      if (word != "material" && word != "color") continue;
+      const SurfaceWish wish = read_wish(value);
+      EXPECT_TRUE(wish.color || !wish.materials.empty()) << entry.id << ": " << value;
+    }
+  }
+}
+
 // Corners on the floor, by the leg that they are of: those less than a hand apart belong together.
 std::vector<std::vector<Vec3f>> feet_of(const std::vector<Vec3f>& corners) {
   std::vector<std::vector<Vec3f>> feet;
@@ -102,6 +151,36 @@ TEST(Shapes, PostsOfBunksAreAsThickAsPosts) {
         EXPECT_GT((*most)[0] - (*least)[0], 0.04F) << id;
       }
     }
+  }
+}
+
+TEST(Shapes, CurtainsThatShareAWindowAreDrawnApart) {
+  const CatalogEntry& entry = *Catalog::builtin().find("curtain");
+  Layout layout;
+  layout.room.polygon = {{0, 0}, {4000, 0}, {4000, 4000}, {0, 4000}};
+  layout.room.height = 2600;
+  for (const double x : {1600.0, 2400.0}) {
+    PlacedObject object;
+    object.id = x < 2000 ? "left" : "right";
+    object.category = object.name = "curtain";
+    object.mount = entry.mount;
+    object.size = entry.size.usual;
+    object.size.width = 800;
+    object.position = {x, 3950, 100};
+    layout.objects.push_back(object);
+  }
+  const auto model = furnish(layout, Catalog::builtin());
+  ASSERT_TRUE(model);
+  for (const Node& node : model->nodes) {
+    if (node.kind != NodeKind::kObject) continue;
+    double least = 1, most = -1;  // of the cloth, along the rod
+    for (const Part& part : node.parts) {
+      if (!model->surfaces.at(static_cast<std::size_t>(part.surface)).name.starts_with("linen")) continue;
+      for (const Vec3f& c : part.mesh.positions) least = std::min<double>(least, c[0]), most = std::max<double>(most, c[0]);
+    }
+    const bool left = node.id == "left";
+    EXPECT_LT(most - least, 0.45) << node.id;
+    EXPECT_TRUE(left ? least < -0.3 : most > 0.3) << node.id;
   }
 }
 

@@ -57,12 +57,12 @@ void kettle(Piece& p) {
 
 // A tower over a drip tray, with a jug or with two spouts and a steam pipe.
 void coffee_machine(Piece& p) {
-  const bool espresso = p.word("kind", "").find("espresso") != std::string::npos || p.says("espresso");
+  const bool espresso = p.says("espresso");
   const int body = p.main(espresso ? "steel" : "black_plastic"), dark = p.named("black_plastic"), chrome = p.named("chrome");
   const double x = p.w / 2, y = p.d / 2, base = p.h * 0.14, head = p.h * 0.68, back = y - p.d * 0.42;
   p.add(body, rounded_box(sides(-x, x, -y, y, 0, base), std::min(0.012, base * 0.3), 2));
   p.add(dark, box(sides(-x * 0.8, x * 0.8, -y + 0.012, back, base - 0.004, base + 0.002), 0));
-  p.add(body, box(sides(-x, x, back, y, base * 0.5, p.h * 0.9), 0.006));
+  p.add(body, box(sides(-x + 0.002, x - 0.002, back, y - 0.002, base * 0.5, p.h * 0.9), 0.006));
   p.add(body, rounded_box(sides(-x, x, -y + p.d * 0.04, y, head, p.h), std::min(0.015, p.h * 0.05), 2));
   const double cy = (back - y) / 2;
   if (espresso) {
@@ -84,6 +84,22 @@ void coffee_machine(Piece& p) {
     p.add(p.named("lit_screen"), box(sides(-x * 0.3, x * 0.3, -y + p.d * 0.04 - 0.001, -y + p.d * 0.04 + 0.01, p.h * 0.8, p.h * 0.88), 0));
   }
   p.fit();
+}
+
+void microwave(Piece& p) {
+  const int body = p.main("black_plastic"), glass = p.named("screen");
+  const double face = -p.d / 2 + 0.03, foot = p.h * 0.04;
+  p.add(body, box(sides(-p.w / 2, p.w / 2, face, p.d / 2, foot, p.h), 0.006));
+  for (const double x : {-0.38, 0.38})
+    p.add(p.named("black_plastic"), box(sides(x * p.w - p.w * 0.04, x * p.w + p.w * 0.04, -p.d * 0.3, p.d * 0.4, 0, foot + 0.002), 0));
+  p.add(p.named("steel"), box(sides(-p.w / 2 + 0.004, p.w * 0.24, face - 0.008, face + 0.002, foot + 0.006, p.h - 0.006), 0.003));
+  p.add(glass, box(sides(-p.w / 2 + 0.04, p.w * 0.17, face - 0.011, face, p.h * 0.2, p.h * 0.85), 0.002));
+  handle(p, p.named("chrome"), Handle::kVertical, {p.w * 0.205, face - 0.006, p.h * 0.52}, p.h * 0.6, 0.024);
+  p.add(p.named("lit_screen"), box(sides(p.w * 0.29, p.w * 0.45, face - 0.002, face + 0.004, p.h * 0.76, p.h * 0.87), 0.001));
+  for (int i = 0; i < 6; ++i) {
+    const double x = p.w * (0.3 + 0.09 * (i % 2)), z = p.h * (0.58 - 0.15 * (i / 2));
+    p.add(p.named("grey_plastic"), box(sides(x, x + p.w * 0.06, face - 0.003, face + 0.004, z, z + p.h * 0.08), 0.001));
+  }
 }
 
 void stand_mixer(Piece& p) {
@@ -207,6 +223,7 @@ void pump_bottle(Piece& p) {
 }  // namespace
 
 void add_appliances(Families& to) {
+  to["microwave"] = microwave;
   to["toaster"] = toaster;
   to["range_hood"] = range_hood;
   to["kettle"] = kettle;

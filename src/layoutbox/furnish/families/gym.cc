@@ -15,7 +15,7 @@ auto adder(Piece& p) {
 // One steps on at the back and looks to the front, where the console stands.
 void treadmill(Piece& p) {
   const auto add = adder(p);
-  const int dark = p.main("black_plastic"), metal = p.frame("steel"), belt = p.named("rubber_floor");
+  const int dark = p.main("black_plastic"), metal = p.frame("steel"), belt = p.tinted("rubber_floor", {0.27, 0.28, 0.30});
   const double deck = std::min(0.18, p.h * 0.14);
   add(dark, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0.02, deck), 0.02));
   add(belt, box(sides(-p.w * 0.36, p.w * 0.36, -p.d / 2 + 0.02, p.d * 0.3, deck - 0.01, deck + 0.006), 0.004));

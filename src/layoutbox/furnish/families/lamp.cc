@@ -52,7 +52,7 @@ void floor_lamp(Piece& p) {
   if (p.w > 2 * p.d || p.word("kind", "") == "arc") return arc_lamp(p);
   const double r = p.w / 2, tall = std::min(0.32, p.h * 0.22), foot = std::min(r * 0.75, 0.16);
   const double k = p.d / p.w;
-  if (p.says("tripod") || p.word("style", "") == "tripod") {
+  if (p.says("tripod")) {
     for (int i = 0; i < 3; ++i) {
       const double a = kPi * (0.5 + 2.0 * i / 3);
       p.add(p.frame("oak"), leg({std::cos(a) * (r - 0.02), std::sin(a) * (r - 0.02) * k, 0}, {0, 0, p.h - tall * 0.9}, 0.011, 0.014));
@@ -173,31 +173,19 @@ void pendant(Piece& p) {
   }
   const double r = p.w / 2, tall = std::min({0.3, p.h * 0.6, r * 1.3}), k = p.d / p.w;
   const int metal = p.named("black_metal"), outside = p.main_accent(pendant_surface(p));
-  if (p.word("kind", "") == "globe" || p.says("globe") || p.category() == "paper_lantern") {
+  if (p.word("kind", "") == "globe" || p.says("globe")) {
     const double ball = std::min(r, p.h * 0.46);
-    const bool mirrored = p.category() == "disco_ball", paper = p.category() == "paper_lantern";
-    const int surface = mirrored ? p.named("mirror") : p.named("lampshade");
-    if (mirrored) {  // flat tiles
-      std::vector<std::vector<Vec>> rings;
-      for (int j = 0; j <= 12; ++j) {
-        const double a = kPi * (j + 0.25) / 12.5 - kPi / 2;
-        std::vector<Vec> ring;
-        for (int i = 0; i < 20; ++i)
-          ring.push_back({std::cos(2 * kPi * i / 20) * std::cos(a), std::sin(2 * kPi * i / 20) * std::cos(a), std::sin(a)});
-        rings.push_back(ring);
-      }
-      p.add(surface, loft(rings), moved(0, 0, ball) * scaled(r, r * k, ball));
-    } else {
-      p.add(surface, ellipsoid({0, 0, ball}, {r, r * k, ball}, 32, 18));
-      for (int j = 1; paper && j < 8; ++j) {
-        const double a = kPi * j / 8 - kPi / 2;
-        p.add(surface, torus({0, 0, 0}, r * std::cos(a), 0.003, 32, 5), moved(0, 0, ball + ball * std::sin(a)) * scaled(1, k, 1));
-      }
+    const bool paper = p.category() == "paper_lantern";
+    const int surface = p.named("lampshade");
+    p.add(surface, ellipsoid({0, 0, ball}, {r, r * k, ball}, 32, 18));
+    for (int j = 1; paper && j < 8; ++j) {
+      const double a = kPi * j / 8 - kPi / 2;
+      p.add(surface, torus({0, 0, 0}, r * std::cos(a), 0.003, 32, 5), moved(0, 0, ball + ball * std::sin(a)) * scaled(1, k, 1));
     }
     p.add(metal, cylinder({0, 0, ball * 1.96}, 0.004, p.h - ball * 1.96 - 0.01, 8));
     p.add(metal, cylinder({0, 0, p.h - std::min(0.03, p.h * 0.1)}, std::min(0.05, r * 0.5), std::min(0.03, p.h * 0.1), 20));
     p.fit();
-    if (!mirrored) p.light({0, 0, -0.02}, 25, 0.1);
+    p.light({0, 0, -0.02}, 25, 0.1);
     return;
   }
   p.add(metal, cylinder({0, 0, p.h - std::min(0.03, p.h * 0.1)}, std::min(0.05, r * 0.5), std::min(0.03, p.h * 0.1), 20));

@@ -112,7 +112,7 @@ void basket(Piece& p) {
   const int weave = p.main("rattan");
   const FreeSpace* in = p.open_above();
   const double half = in != nullptr ? std::hypot(in->box.max.x, in->box.max.y * p.w / p.d) : 0;
-  const bool round = p.word("top", "round") == "round" && std::abs(p.w - p.d) < 0.25 * p.w && half < p.w / 2 - 0.006;
+  const bool round = std::abs(p.w - p.d) < 0.25 * p.w && half < p.w / 2 - 0.006;
   const double floor = in != nullptr ? in->box.min.z : 0.02;
   if (p.word("kind", "") == "pool") return ball_pool(p);
   if (!round) return woven_box(p, weave);
@@ -185,7 +185,20 @@ void suitcase(Piece& p) {
   p.add(dark, rounded_box(sides(-p.w * 0.22, p.w * 0.22, p.d * 0.25 - 0.014, p.d * 0.25 + 0.014, p.h - 0.028, p.h), 0.01, 2));
 }
 
+// A ring on a plinth, leaning, with a ball in it.
+void abstract_statue(Piece& p) {
+  const int stone = p.main("stone");
+  const double h = p.h, r = std::min(p.w, p.d) / 2, ring = std::min(r * 0.9, h * 0.34), thick = ring * 0.24;
+  p.add(p.named("walnut"), box(sides(-r, r, -r * 0.7, r * 0.7, 0, h * 0.12), 0.004));
+  p.add(p.named("black_metal"), cylinder({0, 0, h * 0.12}, std::max(0.003, r * 0.06), h * 0.16, 10));
+  p.add(stone, torus({0, 0, 0}, ring, thick, 32, 12),
+        moved(0, 0, h * 0.24 + ring + thick) * turned_z(18) * turned_x(90) * scaled(1, 1, 1.2));
+  p.add(p.named("brass"), ellipsoid({0, 0, h * 0.24 + thick * 2 + ring * 0.3}, {ring * 0.34, ring * 0.34, ring * 0.34}, 18, 10));
+  p.fit();
+}
+
 void statue(Piece& p) {
+  if (p.word("kind", "") == "abstract") return abstract_statue(p);
   const int stone = p.main("stone");
   const double h = p.h, r = std::min(p.w, p.d) / 2;
   p.add(stone, box(sides(-r, r, -r, r, 0, h * 0.1), 0.006));

@@ -165,7 +165,7 @@ void rack(Piece& p) {
     if (s.carries) levels.push_back(s.box.min.z);
   }
   if (levels.empty()) {
-    const int n = std::max(2, p.count("shelves", std::max(2, static_cast<int>(p.h / 0.4))));
+    const int n = std::max(2, static_cast<int>(p.h / 0.4));
     for (int i = 0; i < n; ++i) levels.push_back(0.1 + (p.h - 0.1) * (i + 1) / n);
   }
   // Boards are as thick as the spaces above and below leave them.

@@ -197,14 +197,18 @@ void curtain(Piece& p) {
   const double r = std::min({0.012, p.d * 0.2, p.h * 0.05}), z = p.h - r;
   p.add(metal, rod({-p.w / 2, 0, z}, {p.w / 2, 0, z}, r, 12));
   for (const double x : {-p.w / 2 + 0.03, p.w / 2 - 0.03}) p.add(metal, box(sides(x - r / 2, x + r / 2, 0, p.d / 2, z - r, z), 0));
-  // Two halves drawn to the sides, so that the window shows; one alone where it is narrow. They fall clear of the sill.
-  const double part = p.w > 0.9 ? p.w * 0.3 : p.w - 0.02, back = p.d / 2 - std::min(0.034, p.d * 0.42);
+  // Two halves drawn to the sides, so that the window shows; one alone where it is narrow, and one of a pair hangs away from the other.
+  // They fall clear of the sill.
+  const double part = p.twin != 0 ? std::min(p.w * 0.5, 0.7)
+                      : p.w > 0.9 ? p.w * 0.3
+                                  : p.w - 0.02,
+               back = p.d / 2 - std::min(0.034, p.d * 0.42);
   const auto half = [&](double x0) {
     p.add(cloth, waves(sides(x0, x0 + part, -p.d / 2, back, 0, p.h - 2 * r - 0.004), std::max(2, static_cast<int>(part / 0.09)),
                        std::min(0.006, p.d * 0.15)));
   };
-  half(-p.w / 2 + 0.01);
-  if (p.w > 0.9) half(p.w / 2 - 0.01 - part);
+  if (p.twin >= 0) half(-p.w / 2 + 0.01);
+  if (p.twin < 0 || (p.twin == 0 && p.w > 0.9)) half(p.w / 2 - 0.01 - part);
 }
 
 void blind(Piece& p) {

@@ -18,8 +18,11 @@ void frame(Piece& p, int surface, double width) {
 
 // Simple compositions: hills and a sun, blocks of colour, arches.
 void picture(Piece& p) {
-  const double t = std::min({0.025, p.w * 0.2, p.h * 0.2}), y = -p.d / 2 + std::min(0.006, p.d * 0.45);
-  frame(p, p.frame("walnut"), t);
+  const std::string said = p.word("kind", "");
+  // Posters and canvases have no frame.
+  const bool bare = said == "poster" || said == "canvas";
+  const double t = bare ? 0 : std::min({0.025, p.w * 0.2, p.h * 0.2}), y = -p.d / 2 + std::min(bare ? 0.003 : 0.006, p.d * 0.45);
+  if (!bare) frame(p, p.frame("walnut"), t);
   const double x0 = -p.w / 2 + t, x1 = p.w / 2 - t, z0 = t, z1 = p.h - t, cw = x1 - x0, ch = z1 - z0;
   const Color accent = p.color_asked() ? Color{0.45, 0.5, 0.55} : p.accent();
   p.add(p.main("paper"), box(sides(x0, x1, y, p.d / 2 - 0.001, z0, z1), 0));
@@ -31,7 +34,7 @@ void picture(Piece& p) {
     p.add(p.tinted("paper", color), prism(placed, -0.0002, std::min(0.0006, p.d * 0.06) * layer), upright);
   };
   const Color deep = mixed(accent, {0.1, 0.12, 0.16}, 0.5), warm{0.86, 0.58, 0.36}, pale{0.90, 0.84, 0.74};
-  const int kind = p.pick(3);
+  const int kind = said == "abstract" ? 1 : p.pick(3);
   if (kind == 0) {
     paint(mixed(accent, {0.9, 0.93, 0.96}, 0.75), {{0, 0.3}, {1, 0.3}, {1, 1}, {0, 1}}, 1);
     const double r = 0.1;
@@ -80,6 +83,12 @@ void mirror(Piece& p) {
     p.add(glass, box(sides(-p.w / 2 + t, p.w / 2 - t, 0.001, 0.01, t, tall - t), 0), tilt);
     return;
   }
+  if (p.word("kind", "") == "frameless") {
+    const double back = std::min(0.01, p.d * 0.5);
+    p.add(p.named("grey_plastic"), box(sides(-p.w / 2 + t, p.w / 2 - t, p.d / 2 - back, p.d / 2, t, p.h - t), 0));
+    p.add(glass, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2 - back, 0, p.h), 0.002));
+    return;
+  }
   frame(p, rim, t);
   p.add(glass, box(sides(-p.w / 2 + t, p.w / 2 - t, y, p.d / 2 - 0.001, t, p.h - t), 0));
 }
@@ -106,7 +115,35 @@ void hanging_tools(Piece& p, const Box& b) {
   }
 }
 
+// Upright laths on a dark felt.
+void lath_panel(Piece& p) {
+  const int wood = p.main("oak");
+  const double pitch = 0.045, back = p.d / 2 - std::min(0.01, p.d * 0.4);
+  const int n = std::max(2, static_cast<int>(p.w / pitch));
+  p.add(p.tinted("wool", {0.16, 0.16, 0.17}), box(sides(-p.w / 2, p.w / 2, back, p.d / 2, 0, p.h), 0));
+  for (int i = 0; i < n; ++i) {
+    const double x = -p.w / 2 + p.w * i / n;
+    p.add(wood, box(sides(x, x + p.w / n * (i + 1 < n ? 0.62 : 1), -p.d / 2, back, 0, p.h), 0.001));
+  }
+}
+
+// A heading and lines of words, as strokes on the face at `front`.
+void writing(Piece& p, bool chalk, double front) {
+  const int ink = chalk ? p.tinted("paper", {0.86, 0.88, 0.84}) : p.tinted("plastic", {0.16, 0.30, 0.58});
+  const double left = -p.w * 0.42, line = std::min(0.11, p.h * 0.13), thick = line * 0.22, lift = std::min(0.001, p.d * 0.1);
+  const int lines = std::min(5, static_cast<int>(p.h * 0.62 / line));
+  for (int row = 0; row < lines; ++row) {
+    const double z = p.h * 0.84 - row * line, end = left + p.w * (row == 0 ? 0.34 : p.random(0.36, 0.5));
+    for (double x = left; x < end;) {
+      const double word = std::min(line * p.random(0.6, 1.6), end - x + 0.01);
+      p.add(ink, box(sides(x, x + word, front - lift, front + lift, z - thick * (row == 0 ? 1 : 0.6), z), 0));
+      x += word + line * 0.3;
+    }
+  }
+}
+
 void board(Piece& p) {
+  if (p.word("kind", "") == "panel") return lath_panel(p);
   const std::string kind = p.word("kind", p.says("cork") || p.says("bulletin") ? "cork"
                                           : p.says("black") || p.says("chalk") ? "chalk"
                                                                                : "white");
@@ -118,6 +155,7 @@ void board(Piece& p) {
                                      : p.named("ceramic");
   const double front = -p.d / 2 + (kind == "peg" ? p.d * 0.6 : std::min(0.006, p.d * 0.4));
   p.add(face, box(sides(-p.w / 2 + t, p.w / 2 - t, front, p.d / 2 - 0.001, t, p.h - t), 0));
+  if ((kind == "chalk" || kind == "white") && p.may_show_contents() && std::min(p.w, p.h) > 0.4) writing(p, kind == "chalk", front);
   if (kind == "peg" && p.may_show_contents())
     hanging_tools(p, sides(-p.w / 2 + t * 2, p.w / 2 - t * 2, -p.d / 2 + 0.002, front, t * 2, p.h - t * 2));
 }

@@ -207,18 +207,6 @@ void bicycle(Piece& p) {
 
 // A tyre on its rim, lying or standing as its box says.
 void car_part(Piece& p) {
-  if (p.word("kind", "") == "lift") {
-    const int paint = p.tinted("painted_metal", {0.22, 0.38, 0.62});
-    const double post = side_room(p, 0.35) * 0.6;
-    for (const double s : {-1.0, 1.0}) {
-      p.add(paint, box(sides(s > 0 ? p.w / 2 - post : -p.w / 2, s > 0 ? p.w / 2 : -p.w / 2 + post, -0.15, 0.15, 0, p.h), 0.01));
-      p.add(paint, box(sides(s > 0 ? p.w / 2 - post : -p.w / 2, s > 0 ? p.w / 2 : -p.w / 2 + post, -p.d / 2, p.d / 2, 0, 0.04), 0.006));
-      for (const double k : {-1.0, 1.0})
-        p.add(paint, beam({s * (p.w / 2 - post), k * 0.1, 0.14}, {s * (p.w / 2 - post * 1.6), k * p.d * 0.4, 0.14}, {0.09, 0.06}, 0.006));
-    }
-    p.add(paint, box(sides(-p.w / 2 + 0.01, p.w / 2 - 0.01, -0.08, 0.08, p.h - 0.15, p.h - 0.002), 0.01));
-    return;
-  }
   const bool lying = p.h < std::min(p.w, p.d);
   const Pose turn = lying ? Pose{} : p.w < p.d ? turned_y(90) : turned_x(90);
   p.add(p.named("black_plastic"),
