@@ -128,5 +128,15 @@ TEST(Rows, OneComesInBehindAClassWhoseBoardHangsOnAWallWithoutWindows) {
   EXPECT_EQ(turn % 180, 90) << turn;
 }
 
+TEST(Rows, TheBackBarIsBehindWhoServes) {
+  SceneMaker maker(6000, 5000);
+  maker.add("bar_counter").add("back_bar").add("bar_stool", 4);
+  const Layout layout = solved_as_asked(maker.make(true));
+  const PlacedObject &counter = *layout.find_object("bar_counter_1"), &shelf = *layout.find_object("back_bar_1");
+  const TestPoint at = in_frame_of(counter, {shelf.position[0], shelf.position[1], 0});
+  EXPECT_LE(std::abs(at.x), counter.size.width / 2.0);
+  EXPECT_NEAR(at.y - (counter.size.depth + shelf.size.depth) / 2.0, 900, 200);
+}
+
 }  // namespace
 }  // namespace layoutbox::placement

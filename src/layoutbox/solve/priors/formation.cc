@@ -79,8 +79,9 @@ Formation formation_of(int n, const Size& size, Mm gap_across, Mm gap_deep, Mm r
     const bool parted = parted_from > 0 && c >= parted_from && c % 2 == 0;
     if (parted_from > 0 && c >= parted_from && !parted && columns == 0) continue;
     const Mm aisle = parted ? kAisle : 0;
-    const Mm across = fitted(c, size.width, gap_across, room_across - aisle, sides),
-             deep = fitted(rows, size.depth, gap_deep, room_deep, ends);
+    const Mm apart = fitted(c, size.width, gap_across, room_across - aisle, sides);
+    const Mm seen = in_view > 0 && c > 1 ? std::max(in_view / (c - 1), size.width + kBetweenDesks) : apart;
+    const Mm across = std::min(apart, seen), deep = fitted(rows, size.depth, gap_deep, room_deep, ends);
     if (across == 0 || deep == 0) continue;
     // Shares of the room that it takes along both should be alike; full rows are better.
     const std::int64_t w = std::int64_t{1000} * (across * (c - 1) + size.width + aisle) / room_across,

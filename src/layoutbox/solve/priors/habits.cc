@@ -75,7 +75,7 @@ void Habits::stand(int index) {
     const bool by_free = std::ranges::any_of(hosts, [&](int host) { return related(index, host) && told_to_stand_free(host); });
     if (!by_free && !told_to_stand_free(index)) back_to_wall(index, kBackToWall);
     stand_in_run(index);
-    if (!stand_as_twin(index) && !with_host) stand_in_wall_row(index);
+    if (!stand_behind_server(index) && !stand_as_twin(index) && !with_host) stand_in_wall_row(index);
   } else if (!with_host && only_told_opening(index) && !item.is(Trait::kSeat) && !item.is(Trait::kEasySeat) && !has_sitters(index)) {
     stand_at_wall(index);
   } else if (!with_host && !placed_by_relation(index)) {

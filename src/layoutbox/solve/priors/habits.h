@@ -206,6 +206,8 @@ class Habits {
   bool fits_islands(int item) const;
   int leader_of(const Group& group) const;
   int counter_of_room() const;
+  bool stand_behind_server(int item);
+  Mm depth_behind_server(int counter) const;
   int desk_waited_at(const Group& group) const;
   Mm teachers_depth() const;
   Mm depth_of_seats(const Group& group) const;

@@ -201,6 +201,37 @@ void Habits::wait_before_counter(int item) {
   }
 }
 
+// Bottles are at the back of who serves: along the counter, an arm and a step behind it.
+bool Habits::stand_behind_server(int item) {
+  constexpr Mm kForServer = 900;
+  constexpr int kBehindServer = 500, kBeforeMiddle = 200;  // points a metre
+  const int counter = model_.items[item].is(Trait::kBehindServer) && !placed_by_relation(item) ? counter_of_room() : -1;
+  if (counter < 0) return false;
+  Formula f;
+  for_each_turn(model_.items[counter], [&](int turn, std::uint64_t states) {
+    const std::uint64_t alike = model_.items[item].states_at(turn);
+    if (turn % 90 != 0 || !alike) return;
+    const Direction back = side_direction(model_.items[counter], Side::kBack, turn);
+    Case& c = f.add().when(counter, states).when(item, alike);
+    c.require(gap_towards(item, counter, back));
+    c.wish(gap_towards(item, counter, back) - Linear(kForServer), kBehindServer);
+    c.wish(mid2(item, across(back)) - mid2(counter, across(back)), kBeforeMiddle, 2);
+  });
+  if (f.cases.empty()) return false;
+  habit("behind who serves", item, kBehindServer, std::move(f), {counter});
+  return true;
+}
+
+// What stands there between who serves and the wall.
+Mm Habits::depth_behind_server(int counter) const {
+  Mm depth = 0;
+  for (const Item& item : model_.items) {
+    if (!item.is_opening() && item.is(Trait::kBehindServer) && counter_of_room() == counter)
+      depth = std::max(depth, item.states[0].size.depth + 310);
+  }
+  return depth;
+}
+
 // Who receives looks at those who come in: the doors are before a reception desk or a counter, not behind it.
 void Habits::face_entrance(int item) {
   constexpr int kSeen = 250;  // points a metre

@@ -189,7 +189,8 @@ bool Habits::leave_room_behind(int item) {
   for (const RoomWall& wall : model_.walls) {
     if (!wall.straight) continue;
     Case& c = f.add().when(item, states_with_back_to(model_.items[item], wall));
-    c.wish(gap_towards(item, place_of(model_, wall), {wall.normal(), wall.inward}) - Linear(served_over ? kForServer : kForSitter),
+    c.wish(gap_towards(item, place_of(model_, wall), {wall.normal(), wall.inward}) -
+               Linear(served_over ? kForServer + depth_behind_server(item) : kForSitter),
            kBehind);
     wish_middle_of_wall(c, model_, item, wall, kMiddle);
   }

@@ -4,7 +4,7 @@
 namespace layoutbox::placement {
 namespace {
 
-constexpr Mm kStageDepth = 1600;   // left before a crowd for what it looks at and who stands there
+constexpr Mm kStageDepth = 1600;    // left before a crowd for what it looks at and who stands there
 constexpr Mm kClearOfCrowd = 1000;  // free before the first row, between it and what all look at
 
 }  // namespace
@@ -77,6 +77,7 @@ Mm Habits::depth_before(int first) const {
 
 // How wide what each of them is told to look at is; 0: one looks for all, or nobody.
 Mm Habits::view_of(const Group& group) const {
+  constexpr Mm kEdge = 200;  // of it that nobody looks at
   int lookers = 0, seen = -1;
   for (const int member : group.members) {
     for (const Relation* r : said_of(member)) {
@@ -85,7 +86,7 @@ Mm Habits::view_of(const Group& group) const {
       ++lookers;
     }
   }
-  return lookers < 2 || seen < 0 || model_.items[seen].is_opening() ? 0 : model_.items[seen].states[0].size.width;
+  return lookers < 2 || seen < 0 || model_.items[seen].is_opening() ? 0 : std::max(0, model_.items[seen].states[0].size.width - kEdge);
 }
 
 }  // namespace layoutbox::placement
