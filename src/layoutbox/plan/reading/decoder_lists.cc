@@ -298,7 +298,7 @@ double Decoder::reference_list_score(const State& state, int member, int u) cons
            n.determiner == Determiner::kPossessive;
   };
   // "along the left and right walls"
-  const bool walls = noun.kind == NounKind::kWall && noun.plural && noun.determiner == Determiner::kNone && !noun.wall_word.empty();
+  const bool walls = noun.kind == NounKind::kWall && !noun.wall_word.empty() && noun.wall_word != former.wall_word;
   if (walls && former.kind == NounKind::kWall && !former.wall_word.empty()) return 5;
   if (former.kind != NounKind::kObject || noun.kind != NounKind::kObject)
     return noun.kind == former.kind && noun.kind != NounKind::kRoom ? 1.5 : -6;
