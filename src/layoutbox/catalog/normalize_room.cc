@@ -19,6 +19,11 @@ std::vector<Point> room_outline(std::string_view shape, Mm w, Mm d) {
   if (shape == "L") return {{0, 0}, {w, 0}, {w, y1}, {x2, y1}, {x2, d}, {0, d}};
   if (shape == "T") return {{x1, 0}, {x2, 0}, {x2, y1}, {w, y1}, {w, d}, {0, d}, {0, y1}, {x1, y1}};
   if (shape == "U") return {{0, 0}, {x1, 0}, {x1, y1}, {x2, y1}, {x2, 0}, {w, 0}, {w, d}, {0, d}};
+  if (shape == "round") {  // eight walls: of a regular octagon each corner takes 1 − 1/√2 of a side
+    constexpr double kCut = 0.2929;
+    const Mm x = static_cast<Mm>(w * kCut) / kGridMm * kGridMm, y = static_cast<Mm>(d * kCut) / kGridMm * kGridMm;
+    return {{x, 0}, {w - x, 0}, {w, y}, {w, d - y}, {w - x, d}, {x, d}, {0, d - y}, {0, y}};
+  }
   return {{0, 0}, {w, 0}, {w, d}, {0, d}};
 }
 
@@ -88,6 +93,7 @@ class RoomNormalizer {
   }
 
   void settle_outline() {
+    if (room_.shape == "round" && room_.walls.empty()) context_.note("filled", "a round room is made of eight walls", "/room/shape");
     if (context_.options.room_size.width > 0 && context_.options.room_size.depth > 0) {
       if (!room_.polygon.empty() || !room_.walls.empty())
         context_.note("contradiction", "the size given for the room replaces the scene's own", "/room");
@@ -162,7 +168,6 @@ class RoomNormalizer {
       d = rounded_up(d * factor);
     }
     std::tie(w, d) = formed(w, d);
-    if (room_.shape == "round") context_.note("ignored", "round rooms are made rectangular", "/room/shape");
     context_.note("filled", fmt::format("the room's size is not given: {} x {} for {}", metres_text(w), metres_text(d), reason),
                   "/room/dims");
     return room_outline(room_.shape, static_cast<Mm>(std::min(w, 1e6)), static_cast<Mm>(std::min(d, 1e6)));
@@ -171,7 +176,7 @@ class RoomNormalizer {
   // The same floor in the form that the room is said to have: long ones are entered at a narrow end.
   std::pair<double, double> formed(double w, double d) const {
     const double area = w * d, even = std::round(std::sqrt(area) / kGridMm) * kGridMm;
-    if (room_.shape == "square") return {even, even};
+    if (room_.shape == "square" || room_.shape == "round") return {even, even};
     if (room_.shape != "long" && room_.shape != "wide") return {w, d};
     const double narrow = std::max(std::sqrt(area / (room_.shape == "long" ? kLong : kWide)),
                                    std::min({kNarrowest, even, kOfUsual * std::min(usual_.width, usual_.depth)}));
