@@ -200,7 +200,8 @@ void normalize_hosts(NormalizeContext& context) {
     Contents& contents = hosts[relation.references.front()];
     const int seats = static_cast<int>(relation.targets.size());
     if (relation.type == RelationType::kAround || relation.type == RelationType::kSurround) contents.around += seats;
-    if (relation.type == RelationType::kAlongSide && relation.parameters.side.value_or(Side::kLong) == Side::kLong) contents.along += seats;
+    if (relation.type == RelationType::kAlongSide && or_default(relation, &RelationParameters::side) == Side::kLong)
+      contents.along += seats;
     if (relation.type == RelationType::kInFrontOf || relation.type == RelationType::kBehind) {
       const Mm width = seat_width(context.catalog, by_id, relation.targets);
       contents.front += width;

@@ -103,8 +103,8 @@ void RelationBuilder::add_across(const Link& link, int item, const std::vector<s
   const std::size_t known = scene_.relations.size();
   add(gap, R::kDistance, {id(item)}, reference);
   if (scene_.relations.size() == known) return;
-  scene_.relations.back().parameters.min = mm_from_m(relation_default(R::kOpposite, "min").value_or(1.5));
-  const Mm most = mm_from_m(relation_default(R::kOpposite, "max").value_or(4));
+  scene_.relations.back().parameters.min = relation_row(R::kOpposite).defaults.min;
+  const Mm most = relation_row(R::kOpposite).defaults.max.value_or(0);
   const bool of_opening =
       !reference.empty() && (scene_.find_opening(reference[0]) != nullptr || reference[0] == "door" || reference[0] == "window");
   if (!of_opening) {

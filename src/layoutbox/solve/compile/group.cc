@@ -129,7 +129,7 @@ bool is_known_exactly(const Compilation& c, const Reference& r) {
 }  // namespace
 
 void compile_EachSideOf(Compilation& c) {
-  const Mm most = c.length(c.relation.parameters.max, "max", 500);
+  const Mm most = c.length(&RelationParameters::max);
   const std::size_t n = c.targets.size();
   // In the order given, where that is as good as any other or the others are too many.
   const bool alike = orders_of(c.model, c.relation, c.targets).size() == 1;
@@ -296,7 +296,7 @@ std::vector<std::vector<int>> choices(const std::vector<int>& targets, std::size
 }  // namespace
 
 void compile_PairedWith(Compilation& c) {
-  const Mm most = c.length(c.relation.parameters.max, "max", 500);
+  const Mm most = c.length(&RelationParameters::max);
   const std::vector<int> refs = c.reference_items();
   if (refs.size() != c.references.size() || refs.size() > c.targets.size() || refs.empty()) {
     c.never();
@@ -329,12 +329,12 @@ void compile_PairedWith(Compilation& c) {
 }
 
 void compile_Around(Compilation& c) {
-  const Mm most = c.length(c.relation.parameters.max, "max", 500);
+  const Mm most = c.length(&RelationParameters::max);
   for (const int r : c.reference_items()) add_seating(c, r, most, false);
 }
 
 void compile_Surround(Compilation& c) {
-  const Mm most = c.length(c.relation.parameters.max, "max", 500);
+  const Mm most = c.length(&RelationParameters::max);
   for (const int r : c.reference_items()) add_seating(c, r, most, true);
 }
 

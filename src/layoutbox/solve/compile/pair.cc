@@ -16,7 +16,7 @@ Mm comfortable_gap(const Item& target, const Item& ref, Side side) {
 }
 
 void beside_each(Compilation& c, Side side) {
-  const Mm most = c.length(c.relation.parameters.max, "max", 1500);
+  const Mm most = c.length(&RelationParameters::max);
   for (const int t : c.targets) {
     for (const int r : c.reference_items()) {
       const Mm wished = comfortable_gap(c.item(t), c.item(r), side);
@@ -106,15 +106,15 @@ void compile_RightOf(Compilation& c) { beside_each(c, Side::kRight); }
 void compile_InFrontOf(Compilation& c) { beside_each(c, Side::kFront); }
 void compile_Behind(Compilation& c) { beside_each(c, Side::kBack); }
 
-void compile_NextTo(Compilation& c) { band_to_each(c, 0, c.length(c.relation.parameters.max, "max", 500), 100); }
+void compile_NextTo(Compilation& c) { band_to_each(c, 0, c.length(&RelationParameters::max), 100); }
 
 void compile_Near(Compilation& c) {
-  const Mm least = c.length(c.relation.parameters.min, "min", 500), most = c.length(c.relation.parameters.max, "max", 1500);
+  const Mm least = c.length(&RelationParameters::min), most = c.length(&RelationParameters::max);
   band_to_each(c, least, most, (least + most) / 2);
 }
 
 void compile_Far(Compilation& c) {
-  const Mm least = c.length(c.relation.parameters.min, "min", 4000);
+  const Mm least = c.length(&RelationParameters::min);
   band_to_each(c, least, std::nullopt, least);
 }
 
@@ -163,7 +163,7 @@ std::optional<Side> side_of(Edge edge) {
 }  // namespace
 
 void compile_EdgeAlign(Compilation& c) {
-  const Edge edge = c.relation.parameters.edge.value_or(Edge::kFront);
+  const Edge edge = or_default(c.relation, &RelationParameters::edge);
   const std::optional<Side> side = side_of(edge);
   for (const int t : c.targets) {
     for (const int r : c.reference_items()) {
@@ -200,7 +200,7 @@ void compile_Facing(Compilation& c) {
 }
 
 void compile_Opposite(Compilation& c) {
-  const Mm least = c.length(c.relation.parameters.min, "min", 1500), most = c.length(c.relation.parameters.max, "max", 4000);
+  const Mm least = c.length(&RelationParameters::min), most = c.length(&RelationParameters::max);
   if (c.targets.size() > 1) {
     for (const Reference& r : c.references) {
       if (r.kind == Reference::Kind::kItem && !c.item(r.index).is_opening()) add_opposite_group(c, r.index, least, most);
@@ -262,14 +262,14 @@ void compile_CenteredOn(Compilation& c) {
 }
 
 void compile_AtFootOf(Compilation& c) {
-  const Mm most = c.length(c.relation.parameters.max, "max", 500);
+  const Mm most = c.length(&RelationParameters::max);
   for (const int t : c.targets) {
     for (const int r : c.reference_items()) add_beside(c.formula(), c.model, t, r, Side::kFront, {.most = most, .wished_gap = 50});
   }
 }
 
 void compile_AtHeadOf(Compilation& c) {
-  const Mm most = c.length(c.relation.parameters.max, "max", 500);
+  const Mm most = c.length(&RelationParameters::max);
   for (const int r : c.reference_items()) {
     const Item& ref = c.item(r);
     const std::vector<Side> used = ref.object ? ref.object->used_sides.value_or(ref.entry->used_sides) : std::vector<Side>{};
@@ -309,7 +309,7 @@ void compile_AtHeadOf(Compilation& c) {
 void compile_AlongSide(Compilation& c) {
   for (const int t : c.targets) {
     for (const int r : c.reference_items()) {
-      along_side(c, t, r, c.relation.parameters.side.value_or(Side::kLong), c.length(c.relation.parameters.max, "max", 500));
+      along_side(c, t, r, or_default(c.relation, &RelationParameters::side), c.length(&RelationParameters::max));
     }
   }
 }

@@ -75,7 +75,7 @@ void add_free_floor(Compilation& c, int t, Side side, Mm depth, std::uint64_t in
 }  // namespace
 
 void compile_Clearance(Compilation& c) {
-  const Side named = c.relation.parameters.side.value_or(Side::kFront);
+  const Side named = or_default(c.relation, &RelationParameters::side);
   for (const int t : c.targets) {
     const Item& item = c.item(t);
     for (const Side side : {Side::kFront, Side::kBack, Side::kLeft, Side::kRight}) {
@@ -90,7 +90,7 @@ void compile_Clearance(Compilation& c) {
 
 // Not linear: looked at on each layout (cost.h).
 void compile_Reachable(Compilation& c) {
-  for (const int t : c.targets) c.out.reach.emplace_back(t, c.length(c.relation.parameters.width, "width", 600));
+  for (const int t : c.targets) c.out.reach.emplace_back(t, c.length(&RelationParameters::width));
 }
 
 void compile_KeepClear(Compilation& c) {

@@ -153,7 +153,7 @@ bool Habits::told_short_side(int item, int host) const {
   };
   return std::any_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
     return r.type == RelationType::kAlongSide && names(r.targets, model_.items[item].id) && names(r.references, model_.items[host].id) &&
-           r.parameters.side.value_or(Side::kLong) != Side::kLong;
+           or_default(r, &RelationParameters::side) != Side::kLong;
   });
 }
 
