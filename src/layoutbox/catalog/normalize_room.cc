@@ -10,6 +10,7 @@
 #include "layoutbox/catalog/opening_look.h"
 #include "layoutbox/catalog/size_words.h"
 #include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/scene/relation_traits.h"
 #include "layoutbox/scene/shell.h"
 
 namespace layoutbox {
@@ -354,8 +355,7 @@ class RoomNormalizer {
 
   bool is_sat_round(const std::string& id) const {
     return std::ranges::any_of(context_.scene.relations, [&](const Relation& relation) {
-      return (relation.type == RelationType::kAround || relation.type == RelationType::kSurround) &&
-             std::ranges::find(relation.references, id) != relation.references.end();
+      return traits_of(relation.type).around && std::ranges::find(relation.references, id) != relation.references.end();
     });
   }
 

@@ -5,6 +5,7 @@
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
+#include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox::offline {
 
@@ -42,8 +43,8 @@ bool RelationBuilder::add_across_room(const Link& link, const Mention& target, c
 std::string RelationBuilder::table_of(const std::string& seat) const {
   for (const std::size_t r : relations_of(seat)) {
     const Relation& relation = scene_.relations[r];
-    const bool at = relation.type == R::kAround || relation.type == R::kSurround || relation.type == R::kAlongSide ||
-                    relation.type == R::kInFrontOf || relation.type == R::kTuckedUnder;
+    const bool at = traits_of(relation.type).around || relation.type == R::kAlongSide || relation.type == R::kInFrontOf ||
+                    relation.type == R::kTuckedUnder;
     const SceneObject* table = at && relation.references.size() == 1 ? object_of(relation.references.front()) : nullptr;
     if (table != nullptr && is_table(catalog_, noun_of_object(*table))) return table->id;
   }

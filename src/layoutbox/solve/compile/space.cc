@@ -1,4 +1,5 @@
 // Relations about free floor. What is linear is posted; what is not (a way to walk) is checked on each layout (walk.h).
+#include "layoutbox/scene/relation_traits.h"
 #include "layoutbox/solve/compile/phrases.h"
 
 namespace layoutbox::placement {
@@ -11,9 +12,7 @@ bool belongs_to(const PlacementModel& model, int other, int t) {
     return std::find(ids.begin(), ids.end(), id) != ids.end();
   };
   return std::any_of(model.scene->relations.begin(), model.scene->relations.end(), [&](const Relation& r) {
-    const bool brings = r.type == RelationType::kTuckedUnder || r.type == RelationType::kAround || r.type == RelationType::kSurround ||
-                        r.type == RelationType::kPairedWith;
-    return brings && has(r.targets, model.items[other].id) && has(r.references, model.items[t].id);
+    return traits_of(r.type).brings && has(r.targets, model.items[other].id) && has(r.references, model.items[t].id);
   });
 }
 

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "layoutbox/scene/relation_traits.h"
 #include "layoutbox/solve/priors/formation.h"
 #include "layoutbox/solve/priors/habits.h"
 
@@ -112,9 +113,7 @@ bool Habits::told_where_to_look(int item) const {
 // Does a relation say where it stands, not only which way it looks?
 bool Habits::placed_besides_facing(int item) const {
   return std::ranges::any_of(said_of(item), [&](const Relation* r) {
-    const bool turns_only =
-        r->type == RelationType::kFacing || r->type == RelationType::kSameOrientation || r->type == RelationType::kParallel;
-    return !turns_only && std::ranges::find(r->targets, model_.items[item].id) != r->targets.end();
+    return !traits_of(r->type).turns && std::ranges::find(r->targets, model_.items[item].id) != r->targets.end();
   });
 }
 
@@ -124,7 +123,7 @@ bool Habits::told_middle_with_others(int item) const {
   bool middle = false;
   for (const Relation& r : model_.scene->relations) {
     if (std::find(r.targets.begin(), r.targets.end(), model_.items[item].id) == r.targets.end()) continue;
-    if (r.type == RelationType::kFacing || r.type == RelationType::kSameOrientation || r.type == RelationType::kParallel) continue;
+    if (traits_of(r.type).turns) continue;
     if (r.type != RelationType::kCenterOfRoom || r.targets.size() < kSeveral) return false;
     middle = true;
   }
