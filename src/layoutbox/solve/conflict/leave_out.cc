@@ -37,7 +37,7 @@ Status Solver::leave_out_least(std::vector<int> items, const Clash* clash) {
   }
   if (clash == nullptr) {
     found.proven = found.minimal = false;
-    found.sentence = too_much_in_words(model_);
+    found.sentence = too_much_in_words(model_, given_up_);
   }
   if (options_.on_conflict != OnConflict::kRelax) {  // no layout comes of it: which one goes only shows whether there are other conflicts
     LAYOUTBOX_ASSIGN(const bool relaxing, note_conflict(found, items.empty() || is_asked(items.front())));
