@@ -146,6 +146,7 @@ class Solver {
   Result<Clash> smallest_crowd(Clash clash);
   Status leave_out(int item, const std::string& why);
   void note_lost_by(int item);
+  void note_left_out(int item, const std::string& why);
   // ---- far too much (shed.cc)
   std::vector<int> surplus_items() const;
   Result<bool> shed(const std::vector<Clash>& sums);

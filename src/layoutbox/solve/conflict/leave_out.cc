@@ -113,11 +113,16 @@ void Solver::note_lost_by(int item) {
   }
 }
 
-// The object goes; relations keep whom they still have.
-Status Solver::leave_out(int item, const std::string& why) {
+// It goes with the next rebuild().
+void Solver::note_left_out(int item, const std::string& why) {
   note_lost_by(item);
   left_out_ids_.push_back(model_.items[item].id);
   reasons_.push_back({model_.items[item].id, 0, "", object_in_words(model_, item) + " is left out: " + why});
+}
+
+// The object goes; relations keep whom they still have.
+Status Solver::leave_out(int item, const std::string& why) {
+  note_left_out(item, why);
   return rebuild();
 }
 

@@ -100,13 +100,7 @@ Result<bool> Solver::shed(const std::vector<Clash>& sums) {
   for (const int item : floor.items) clash.demands.push_back({Demand::Kind::kItem, item});
   const bool asked = std::any_of(items.begin(), items.end(), [&](int i) { return is_asked(i); });
   LAYOUTBOX_CHECK(note_conflict(clash, asked));
-  std::vector<std::pair<std::string, std::string>> gone;  // ids and words, which the model forgets
-  for (const int item : items) gone.emplace_back(model_.items[item].id, object_in_words(model_, item));
-  for (const int item : items) note_lost_by(item);
-  for (const auto& [id, words] : gone) {
-    left_out_ids_.push_back(id);
-    reasons_.push_back({id, 0, "", words + " is left out: " + clash.sentence});
-  }
+  for (const int item : items) note_left_out(item, clash.sentence);
   shed_ = true;
   LAYOUTBOX_CHECK(rebuild());
   return true;
