@@ -18,10 +18,10 @@ namespace {
 Mm least_width(const Item& item) { return item.object->size->least.width; }
 
 // Relations without a single case: left of itself, in a thing that has no inside.
-void add_never(const PlacementModel& model, const std::vector<char>& given_up, std::vector<Clash>& out) {
+void add_never(const PlacementModel& model, const Scope& scope, std::vector<Clash>& out) {
   for (std::size_t c = 0; c < model.constraints.size(); ++c) {
     const Constraint& constraint = model.constraints[c];
-    if (constraint.relation < 0 || constraint.firmness != Firmness::kHard || given_up[c]) continue;
+    if (constraint.relation < 0 || constraint.firmness != Firmness::kHard || scope.gives_up(static_cast<int>(c))) continue;
     const auto never = [](const Formula& f) { return f.cases.empty() && f.exact; };
     if (std::none_of(constraint.formulas.begin(), constraint.formulas.end(), never)) continue;
     Clash clash;
@@ -31,10 +31,10 @@ void add_never(const PlacementModel& model, const std::vector<char>& given_up, s
   }
 }
 
-void add_too_large(const PlacementModel& model, const std::vector<char>& left_out, std::vector<Clash>& out) {
+void add_too_large(const PlacementModel& model, const Scope& scope, std::vector<Clash>& out) {
   for (std::size_t i = 0; i < model.items.size(); ++i) {
     const Item& item = model.items[i];
-    if (item.is_opening() || item.fixed || left_out[i]) continue;
+    if (item.is_opening() || item.fixed || scope.leaves_out(static_cast<int>(i))) continue;
     const auto fits = [&](const State& s) {
       return s.extent[0] <= model.room.extent(0) && s.extent[1] <= model.room.extent(1) && s.extent[2] <= model.room.extent(2);
     };
@@ -67,26 +67,25 @@ struct AtWall {
 };
 
 // The relation that puts its targets at that wall and no other; null: that constraint is another or given up.
-const Relation* puts_at_wall(const PlacementModel& model, std::size_t constraint, int wall, const std::vector<char>& given_up) {
-  const Constraint& one = model.constraints[constraint];
-  if (one.relation < 0 || one.firmness != Firmness::kHard || given_up[constraint]) return nullptr;
+const Relation* puts_at_wall(const PlacementModel& model, int constraint, int wall, const Scope& scope) {
+  const Constraint& one = model.constraints[static_cast<std::size_t>(constraint)];
+  if (one.relation < 0 || one.firmness != Firmness::kHard || scope.gives_up(constraint)) return nullptr;
   const Relation& relation = model.scene->relations[one.relation];
   const bool back = relation.type == RelationType::kAgainstWall || relation.type == RelationType::kCenteredOnWall;
   return back && relation.references.size() == 1 && model.find_wall(relation.references[0]) == wall ? &relation : nullptr;
 }
 
 // The widest first.
-std::vector<AtWall> things_at_wall(const PlacementModel& model, int wall, const std::vector<char>& given_up,
-                                   const std::vector<char>& left_out) {
+std::vector<AtWall> things_at_wall(const PlacementModel& model, int wall, const Scope& scope) {
   std::vector<AtWall> things;
-  for (std::size_t c = 0; c < model.constraints.size(); ++c) {
-    const Relation* relation = puts_at_wall(model, c, wall, given_up);
+  for (int c = 0; c < static_cast<int>(model.constraints.size()); ++c) {
+    const Relation* relation = puts_at_wall(model, c, wall, scope);
     if (relation == nullptr) continue;
     for (const std::string& id : relation->targets) {
       const int item = model.find_item(id);
-      if (item < 0 || left_out[item] || !covers_floor(model.items[item]) || !model.items[item].has_front) continue;
+      if (item < 0 || scope.leaves_out(item) || !covers_floor(model.items[item]) || !model.items[item].has_front) continue;
       const bool known = std::any_of(things.begin(), things.end(), [&](const AtWall& one) { return one.item == item; });
-      if (!known) things.push_back({item, static_cast<int>(c), least_width(model.items[item])});
+      if (!known) things.push_back({item, c, least_width(model.items[item])});
     }
   }
   std::stable_sort(things.begin(), things.end(), [](const AtWall& a, const AtWall& b) { return a.width > b.width; });
@@ -114,11 +113,10 @@ Clash too_wide(const PlacementModel& model, const RoomWall& wall, const std::vec
 }
 
 // Backs against one wall side by side: the widths add up.
-void add_too_wide(const PlacementModel& model, const std::vector<char>& given_up, const std::vector<char>& left_out,
-                  std::vector<Clash>& out) {
+void add_too_wide(const PlacementModel& model, const Scope& scope, std::vector<Clash>& out) {
   for (std::size_t w = 0; w < model.walls.size(); ++w) {
     const RoomWall& wall = model.walls[w];
-    std::vector<AtWall> things = things_at_wall(model, static_cast<int>(w), given_up, left_out);
+    std::vector<AtWall> things = things_at_wall(model, static_cast<int>(w), scope);
     const auto length = static_cast<Mm>(std::ceil(std::hypot(wall.end.x - wall.start.x, wall.end.y - wall.start.y)));
     std::int64_t sum = 0;
     std::size_t needed = 0;
@@ -139,10 +137,9 @@ void keep_apart(const PlacementModel& model, std::vector<std::pair<std::int64_t,
   areas = std::move(apart);
 }
 
-void add_too_much(const PlacementModel& model, const std::vector<char>& given_up, const std::vector<char>& left_out,
-                  std::vector<Clash>& out) {
+void add_too_much(const PlacementModel& model, const Scope& scope, std::vector<Clash>& out) {
   std::vector<std::pair<std::int64_t, int>> areas;
-  const FloorSum floor = floor_sum(model, given_up, left_out);
+  const FloorSum floor = floor_sum(model, scope);
   for (const int i : floor.items) {
     if (!model.items[i].fixed) areas.push_back({least_area(model.items[i]), i});
   }
@@ -180,12 +177,12 @@ void add_too_much(const PlacementModel& model, const std::vector<char>& given_up
 
 }  // namespace
 
-std::vector<Clash> clashes_by_sums(const PlacementModel& model, const std::vector<char>& given_up, const std::vector<char>& left_out) {
-  std::vector<Clash> out = clashes_of_fixed(model, left_out);
-  add_never(model, given_up, out);
-  add_too_large(model, left_out, out);
-  add_too_wide(model, given_up, left_out, out);
-  if (out.empty()) add_too_much(model, given_up, left_out, out);
+std::vector<Clash> clashes_by_sums(const PlacementModel& model, const Scope& scope) {
+  std::vector<Clash> out = clashes_of_fixed(model, scope);
+  add_never(model, scope, out);
+  add_too_large(model, scope, out);
+  add_too_wide(model, scope, out);
+  if (out.empty()) add_too_much(model, scope, out);
   return out;
 }
 

@@ -17,15 +17,13 @@ std::int64_t room_area(const PlacementModel& model) {
   return (std::abs(twice) + 1) / 2;
 }
 
-bool is_one_of(const std::vector<char>& list, int index) { return !list.empty() && list[static_cast<std::size_t>(index)]; }
-
 // Of doors that fit into the room.
-void add_widest_door(const PlacementModel& model, const std::vector<char>& given_up, FloorSum& sum) {
+void add_widest_door(const PlacementModel& model, const Scope& scope, FloorSum& sum) {
   const Mm longest = std::min(model.room.extent(0), model.room.extent(1));
   for (std::size_t i = 0; i < model.items.size(); ++i) {
     const Item& item = model.items[i];
     if (!item.is_opening() || item.opening->type == OpeningType::kWindow || item.opening->sill > 0) continue;
-    if (item.states.empty() || item.states[0].clear.empty() || is_one_of(given_up, item.clearance_constraint)) continue;
+    if (item.states.empty() || item.states[0].clear.empty() || scope.gives_up(item.clearance_constraint)) continue;
     const std::int64_t clear = floor_area(item.states[0].clear[0]);
     if (item.opening->width <= longest && clear > sum.before_door) sum.before_door = clear, sum.door = static_cast<int>(i);
   }
@@ -44,13 +42,13 @@ std::int64_t least_area(const Item& item) {
   return least;
 }
 
-FloorSum floor_sum(const PlacementModel& model, const std::vector<char>& given_up, const std::vector<char>& left_out) {
+FloorSum floor_sum(const PlacementModel& model, const Scope& scope) {
   FloorSum sum;
   sum.room = room_area(model);
-  add_widest_door(model, given_up, sum);
+  add_widest_door(model, scope, sum);
   for (int i = 0; i < static_cast<int>(model.items.size()); ++i) {
     const Item& item = model.items[static_cast<std::size_t>(i)];
-    if (is_one_of(left_out, i) || !covers_floor(item)) continue;
+    if (scope.leaves_out(i) || !covers_floor(item)) continue;
     sum.items.push_back(i);
     sum.covered += least_area(item);
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "layoutbox/solve/model/model.h"
+#include "layoutbox/solve/model/scope.h"
 
 namespace layoutbox::placement {
 
@@ -25,7 +26,6 @@ bool covers_floor(const Item& item);
 // What it covers at its least size.
 std::int64_t least_area(const Item& item);
 
-// Without what is given up or left out; empty lists: nothing is.
-FloorSum floor_sum(const PlacementModel& model, const std::vector<char>& given_up = {}, const std::vector<char>& left_out = {});
+FloorSum floor_sum(const PlacementModel& model, const Scope& scope);
 
 }  // namespace layoutbox::placement

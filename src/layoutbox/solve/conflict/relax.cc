@@ -92,9 +92,9 @@ LessScene without_objects(const SceneGraph& scene, const std::vector<std::string
   return less;
 }
 
-std::string too_much_in_words(const PlacementModel& model, const std::vector<char>& given_up) {
+std::string too_much_in_words(const PlacementModel& model, const Scope& scope) {
   const auto m2 = [](std::int64_t area) { return static_cast<double>(area) / 1e6; };
-  const FloorSum floor = floor_sum(model, given_up);
+  const FloorSum floor = floor_sum(model, scope);
   const auto things = std::ranges::count_if(model.items, [](const Item& item) { return !item.is_opening(); });
   const std::string before = floor.door >= 0 ? fmt::format(", {:.2f} m² stay free before the door", m2(floor.before_door)) : "";
   return fmt::format(

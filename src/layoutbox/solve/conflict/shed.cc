@@ -29,7 +29,7 @@ std::string need_in_words(const PlacementModel& model, const FloorSum& floor) {
 
 // Of what is missed least first the fewest without which the rest may fit; empty where it is not too much by its sums.
 std::vector<int> Solver::surplus_items() const {
-  const FloorSum floor = floor_sum(model_, given_up_);
+  const FloorSum floor = floor_sum(model_, scope_);
   if (floor.missing() <= 0) return {};
   double too_much = surplus(floor, kFilled);
   std::vector<int> left = least_missed_first(model_, floor.items), gone;
@@ -80,7 +80,7 @@ Status Solver::note_crowd(const std::vector<Clash>& sums) {
 
 // Where the least sizes of all together are more than the floor: how much, and without what the rest has a place.
 std::optional<std::string> Solver::too_little_floor(const std::vector<int>& without) const {
-  const FloorSum floor = floor_sum(model_, given_up_);
+  const FloorSum floor = floor_sum(model_, scope_);
   if (floor.missing() <= 0 || without.empty()) return std::nullopt;
   return fmt::format("{}; without {} the rest has a place", need_in_words(model_, floor), things_in_words(model_, without));
 }
@@ -95,7 +95,7 @@ Result<bool> Solver::shed(const std::vector<Clash>& sums) {
   LAYOUTBOX_CHECK(note_crowd(sums));
   Clash clash;
   clash.minimal = false;
-  const FloorSum floor = floor_sum(model_, given_up_);
+  const FloorSum floor = floor_sum(model_, scope_);
   clash.sentence = need_in_words(model_, floor);
   for (const int item : floor.items) clash.demands.push_back({Demand::Kind::kItem, item});
   const bool asked = std::any_of(items.begin(), items.end(), [&](int i) { return is_asked(i); });
@@ -126,7 +126,7 @@ void Solver::sum_up_shedding() {
     return std::none_of(model_.constraints.begin(), model_.constraints.end(),
                         [&](const Constraint& c) { return c.name == relaxed.first && !is_assumption(model_, c); });
   });
-  const FloorSum floor = floor_sum(*whole);
+  const FloorSum floor = floor_sum(*whole, {});
   const std::string sentence = fmt::format("{}; without {} {}", need_in_words(*whole, floor), things_in_words(*whole, gone),
                                            all_else ? "all else fits" : "the rest has a place");
   for (Relaxation& reason : reasons_) {

@@ -39,17 +39,17 @@ std::vector<std::vector<GridBox>> parts_of(const Item& item, std::vector<GridBox
 
 }  // namespace
 
-Encoding::Encoding(const PlacementModel& model, const std::vector<char>& given_up, const std::vector<char>& left_out, Purpose purpose)
+Encoding::Encoding(const PlacementModel& model, const Scope& scope, Purpose purpose)
     : model_(model), purpose_(purpose), items_(model.items.size()) {
   always_ = cp_.add_variable(1, 1);
   const int count = static_cast<int>(model.items.size());
   for (int i = 0; i < count; ++i) {
-    if (!left_out[i]) add_item(i);
+    if (!scope.leaves_out(i)) add_item(i);
   }
   for (std::size_t c = 0; c < model.constraints.size(); ++c) {
     const Constraint& constraint = model.constraints[c];
     const bool soft = constraint.firmness == Firmness::kSoft;
-    if (soft || given_up[c]) continue;
+    if (soft || scope.gives_up(static_cast<int>(c))) continue;
     if (constraint.firmness == Firmness::kAlways) continue;  // added with its item
     const CpLiteral literal = cp_.add_boolean();
     demands_.push_back({Demand::Kind::kConstraint, static_cast<int>(c)});

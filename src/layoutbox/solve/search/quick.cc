@@ -52,11 +52,10 @@ std::vector<std::uint64_t> alike_states(const PlacementModel& model, const Regio
 
 }  // namespace
 
-QuickSearch::QuickSearch(const PlacementModel& model, const Dependencies& dependencies, std::vector<char> given_up, std::uint64_t seed,
-                         int most_size_step)
+QuickSearch::QuickSearch(const PlacementModel& model, const Dependencies& dependencies, Scope scope, std::uint64_t seed, int most_size_step)
     : model_(model),
       dependencies_(dependencies),
-      regions_(model, std::move(given_up), most_size_step),
+      regions_(model, std::move(scope), most_size_step),
       random_(seed),
       most_size_step_(most_size_step),
       weight_(model.items.size(), 0),
@@ -64,8 +63,14 @@ QuickSearch::QuickSearch(const PlacementModel& model, const Dependencies& depend
   for (std::size_t i = 0; i < model.items.size(); ++i) alike_.push_back(alike_states(model, regions_, static_cast<int>(i)));
 }
 
-bool QuickSearch::complete(Placements& placements, const std::vector<char>& left_out, Budget& budget) {
-  regions_.leave_out(left_out);
+void QuickSearch::note_failed(const Placements& placements) {
+  failed_.clear();
+  for (int i = 0; i < static_cast<int>(placements.size()); ++i) {
+    if (!regions_.scope().leaves_out(i) && placements[static_cast<std::size_t>(i)].state < 0) failed_.push_back(i);
+  }
+}
+
+bool QuickSearch::complete(Placements& placements, Budget& budget) {
   regions_.watch(&budget);
   Placements best = placements;
   std::size_t least = model_.items.size() + 1;
@@ -77,18 +82,15 @@ bool QuickSearch::complete(Placements& placements, const std::vector<char>& left
       attempts_ = 0;
     }
     placements_ = placements;
-    std::vector<int> pending = placing_order(model_, dependencies_, left_out, weight_);
+    std::vector<int> pending = placing_order(model_, dependencies_, regions_.scope(), weight_);
     std::erase_if(pending, [&](int item) { return placements_[item].state >= 0; });
     std::reverse(pending.begin(), pending.end());  // the next is taken from the end
-    const bool all = attempt(left_out, std::move(pending), budget);
+    const bool all = attempt(std::move(pending), budget);
     if (all || failed_.size() < least) best = placements_, least = failed_.size();
     if (all) break;
   }
   placements = std::move(best);
-  failed_.clear();
-  for (std::size_t i = 0; i < placements.size(); ++i) {
-    if (!left_out[i] && placements[i].state < 0) failed_.push_back(static_cast<int>(i));
-  }
+  note_failed(placements);
   return failed_.empty();
 }
 
@@ -107,7 +109,7 @@ int QuickSearch::next_of(std::vector<int>& pending) const {
   return item;
 }
 
-bool QuickSearch::attempt(const std::vector<char>& left_out, std::vector<int> pending, Budget& budget) {
+bool QuickSearch::attempt(std::vector<int> pending, Budget& budget) {
   // Later attempts are longer.
   const int limit = (kPushesPerItem * static_cast<int>(model_.items.size()) + kPushesMore) * (kLongerBy + attempts_++) / kLongerBy;
   int pushes = 0;
@@ -119,10 +121,7 @@ bool QuickSearch::attempt(const std::vector<char>& left_out, std::vector<int> pe
     pending.push_back(item);
     break;
   }
-  failed_.clear();
-  for (std::size_t i = 0; i < placements_.size(); ++i) {
-    if (!left_out[i] && placements_[i].state < 0) failed_.push_back(static_cast<int>(i));
-  }
+  note_failed(placements_);
   return failed_.empty();
 }
 

@@ -54,13 +54,12 @@ void KnownCosts::are_of(const PlacementModel& model, const Placements& placement
   of = placements;
 }
 
-Search::Search(const PlacementModel& model, std::vector<char> given_up, std::uint64_t seed, int most_size_step)
+Search::Search(const PlacementModel& model, Scope scope, std::uint64_t seed, int most_size_step)
     : model_(model),
-      finder_(model, std::move(given_up)),
+      finder_(model, std::move(scope)),
       random_(seed),
       most_size_step_(most_size_step),
       placements_(model.items.size()),
-      left_out_(model.items.size(), 0),
       bonus_(model.items.size(), 0),
       dependencies_(model) {}
 
@@ -69,7 +68,7 @@ bool Search::watched_fit(int item, Budget& budget) {
   options.first_legal = true;
   options.most_size_step = most_size_step_;
   for (const int dependent : dependencies_.tenants[item]) {
-    if (bonus_[dependent] == 0 || placements_[dependent].state >= 0 || left_out_[dependent]) continue;
+    if (bonus_[dependent] == 0 || placements_[dependent].state >= 0 || is_out(dependent)) continue;
     if (finder_.find(placements_, dependent, options, budget).empty()) return false;
   }
   return true;
@@ -214,23 +213,17 @@ bool Search::repair(Budget& budget) {
     queue = std::move(again);
   }
   bool all = true;
-  for (std::size_t i = 0; i < placements_.size(); ++i) all = all && (left_out_[i] || placements_[i].state >= 0);
+  for (std::size_t i = 0; i < placements_.size(); ++i) all = all && (is_out(static_cast<int>(i)) || placements_[i].state >= 0);
   if (all) failed_.clear();
   if (!all) placements_ = before;
   return all;
 }
 
-bool Search::construct(const std::vector<char>& left_out, int restarts, Budget& budget) {
-  left_out_ = left_out;
-  left_out_.resize(model_.items.size(), 0);
-  finder_.leave_out(left_out_);
+bool Search::construct(int restarts, Budget& budget) {
   Placements best;
   std::vector<int> best_failed;
   for (int attempt = 0; attempt <= restarts; ++attempt) {
-    if ((model_.start.empty() ? try_order(placing_order(model_, dependencies_, left_out_, bonus_), 0, budget)
-                              : try_start(placing_order(model_, dependencies_, left_out_, bonus_), budget)) ||
-        repair(budget))
-      return true;
+    if ((model_.start.empty() ? try_order(order(bonus_), 0, budget) : try_start(order(bonus_), budget)) || repair(budget)) return true;
     if (best.empty() || failed_.size() < best_failed.size()) best = placements_, best_failed = failed_;
     if (budget.spent()) break;
     bonus_[failed_[0]] += 1 + attempt / 4;
@@ -240,16 +233,13 @@ bool Search::construct(const std::vector<char>& left_out, int restarts, Budget& 
   return false;
 }
 
-bool Search::construct_unlike(const std::vector<char>& left_out, Budget& budget) {
+bool Search::construct_unlike(Budget& budget) {
   if (model_.items.empty()) return true;
-  left_out_ = left_out;
-  left_out_.resize(model_.items.size(), 0);
-  finder_.leave_out(left_out_);
   std::fill(bonus_.begin(), bonus_.end(), 0);
   std::vector<int> first(model_.items.size(), 0);
   for (int k = 0; k < kFirst; ++k) ++first[static_cast<std::size_t>(random_.below(static_cast<std::int64_t>(first.size())))];
   const std::int64_t noise = kPoint * (1 + random_.below(kNoiseOfStart));
-  return try_order(placing_order(model_, dependencies_, left_out_, first), noise, budget) || repair(budget);
+  return try_order(order(first), noise, budget) || repair(budget);
 }
 
 // How much less what touches the group costs than before it moved; ways to walk apart. No more than `least_gain`: perhaps not all of the
@@ -363,7 +353,7 @@ bool Search::shake(Budget& budget) {
   for (std::int64_t k = random_.below(kShaken); k >= 0; --k)
     take_out(all[static_cast<std::size_t>(random_.below(static_cast<std::int64_t>(all.size())))], out);
   const std::int64_t noise = kPoint * (1 + random_.below(kNoiseOfShaking));
-  for (const int item : placing_order(model_, dependencies_, left_out_, bonus_)) {
+  for (const int item : order(bonus_)) {
     if (placements_[item].state >= 0 || (!budget.stopped && place(item, noise, budget))) continue;
     placements_ = before;
     return false;
