@@ -76,6 +76,8 @@ class Solver {
   Result<bool> prove();
   void look_for_more(const Clash& clash);
   Result<Proof> ask(const Scope& scope, const Placements& hint, double most);
+
+  // ---- making it better (improving.cc), and whether it can be (best.cc)
   void improve();
   bool begin(Search& search, int start, Budget& budget);
   void prove_best();
