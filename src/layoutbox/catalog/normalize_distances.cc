@@ -10,7 +10,9 @@
 namespace layoutbox {
 namespace {
 
-constexpr Mm kFar = 4000, kOpposite = 1500;  // where words give no number (docs/relations.md)
+// Where words give no number.
+const Mm kFar = relation_row(RelationType::kFar).defaults.min.value_or(0);
+const Mm kOpposite = relation_row(RelationType::kOpposite).defaults.min.value_or(0);
 constexpr Mm kRoomToSpare = 100;
 constexpr double kBody = 1800;  // two things at the ends
 constexpr double kStep = 0.02, kMostGrowth = 1.6;
@@ -51,7 +53,7 @@ double farthest(Point a, Point b, double width, double depth) {
 }
 
 Mm least_distance(const Relation& relation) {
-  if (relation.type == RelationType::kFar) return relation.parameters.min.value_or(kFar);
+  if (relation.type == RelationType::kFar) return or_default(relation, &RelationParameters::min);
   return relation.type == RelationType::kDistance ? relation.parameters.min.value_or(0) : 0;
 }
 
@@ -71,7 +73,7 @@ bool at_named_wall(const SceneGraph& scene, const std::string& id) {
 // From one wall to the other: a bed, the room between, a dressing table.
 double growth_for_opposite(const SceneGraph& scene, const Relation& relation, double width, double depth) {
   double growth = 1;
-  const Mm between = relation.parameters.min.value_or(kOpposite);
+  const Mm between = or_default(relation, &RelationParameters::min);
   for (const std::string& reference : relation.references) {
     const SceneObject* ref = scene.find_object(reference);
     if (ref == nullptr || !ref->size || ref->mount != Mount::kFloor) continue;
@@ -123,7 +125,7 @@ void settle_opposite(NormalizeContext& context, Relation& relation, double width
   if (object == nullptr || ref == nullptr || !object->size || !ref->size || object->mount != Mount::kFloor || ref->mount != Mount::kFloor)
     return;
   const double left = extent_across(scene, {object->id, ref->id}, width, depth) - object->size->usual.depth - ref->size->usual.depth;
-  if (left >= relation.parameters.min.value_or(kOpposite) || left < kLeast) return;
+  if (left >= or_default(relation, &RelationParameters::min) || left < kLeast) return;
   relation.parameters.min = static_cast<Mm>(left) / kRounded * kRounded;
 }
 

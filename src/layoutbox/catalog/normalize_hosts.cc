@@ -9,6 +9,7 @@
 #include "layoutbox/catalog/normalize_steps.h"
 #include "layoutbox/catalog/size_words.h"
 #include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/scene/relation_traits.h"
 #include "layoutbox/scene/shell.h"
 
 namespace layoutbox {
@@ -199,8 +200,9 @@ void normalize_hosts(NormalizeContext& context) {
     if (relation.references.size() != 1) continue;
     Contents& contents = hosts[relation.references.front()];
     const int seats = static_cast<int>(relation.targets.size());
-    if (relation.type == RelationType::kAround || relation.type == RelationType::kSurround) contents.around += seats;
-    if (relation.type == RelationType::kAlongSide && relation.parameters.side.value_or(Side::kLong) == Side::kLong) contents.along += seats;
+    if (traits_of(relation.type).around) contents.around += seats;
+    if (relation.type == RelationType::kAlongSide && or_default(relation, &RelationParameters::side) == Side::kLong)
+      contents.along += seats;
     if (relation.type == RelationType::kInFrontOf || relation.type == RelationType::kBehind) {
       const Mm width = seat_width(context.catalog, by_id, relation.targets);
       contents.front += width;

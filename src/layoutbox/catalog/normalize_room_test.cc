@@ -72,35 +72,6 @@ TEST(NormalizeObjects, PicturesAboveOneThingAreTogetherNoWiderThanIt) {
 
 double area(const SceneGraph& scene) { return static_cast<double>(doubled_area(scene.room.polygon)) / 2e6; }
 
-TEST(NormalizeHosts, GrowForWhatTheyHold) {
-  const auto width = [](int lamps) {
-    std::vector<SceneObject> objects{object("desk_1", "desk")};
-    std::vector<Relation> relations;
-    for (int i = 0; i < lamps; ++i) {
-      objects.push_back(object("lamp_" + std::to_string(i), "lamp"));
-      relations.push_back(relation(RelationType::kOn, {objects.back().id}, {"desk_1"}));
-    }
-    return normalized(scene_of(objects, relations)).find_object("desk_1")->size->usual.width;
-  };
-  EXPECT_EQ(width(1), 1200);
-  EXPECT_EQ(width(3), 1200);
-  EXPECT_GT(width(6), 1200);
-  EXPECT_EQ(width(40), 1600);  // its range is the limit
-}
-
-// A little beyond its range, where all then finds room; that a host is larger than such things mostly are beats leaving things out.
-TEST(NormalizeHosts, GrowBeyondTheirRangeWhereThatIsEnough) {
-  std::vector<SceneObject> objects{object("desk_1", "desk")};
-  std::vector<Relation> relations;
-  for (int i = 0; i < 16; ++i) {
-    objects.push_back(object("lamp_" + std::to_string(i), "lamp"));
-    relations.push_back(relation(RelationType::kOn, {objects.back().id}, {"desk_1"}));
-  }
-  const Mm width = normalized(scene_of(objects, relations)).find_object("desk_1")->size->usual.width;
-  EXPECT_GT(width, 1600);
-  EXPECT_LE(width, 2400);
-}
-
 TEST(NormalizeRoom, GrowsUntilWhatIsToBeFarCanBe) {
   const auto diagonal = [](RelationType type) {
     const Point corner =
@@ -162,30 +133,6 @@ TEST(NormalizeRoom, WhatHangsAboveSomethingEndsBelowTheCeiling) {
   const SizeRange& size = *scene.find_object("wardrobe_1")->size;
   EXPECT_LE(size.usual.height, scene.room.height - 750);
   EXPECT_LE(size.least.height, size.usual.height);
-}
-
-TEST(NormalizeHosts, ASizeThatWasGivenStays) {
-  SceneObject desk = object("desk_1", "desk");
-  desk.size = SizeRange{{1000, 500, 750}, {1000, 500, 750}, {1000, 500, 750}};
-  desk.size_source = SizeSource::kUser;
-  std::vector<SceneObject> objects{desk};
-  std::vector<Relation> relations;
-  for (int i = 0; i < 8; ++i) {
-    objects.push_back(object("lamp_" + std::to_string(i), "lamp"));
-    relations.push_back(relation(RelationType::kOn, {objects.back().id}, {"desk_1"}));
-  }
-  EXPECT_EQ(normalized(scene_of(objects, relations)).find_object("desk_1")->size->usual.width, 1000);
-}
-
-TEST(NormalizeHosts, ATableSeatsAllThatSitAroundIt) {
-  std::vector<SceneObject> objects{object("desk_1", "desk")};
-  Relation around = relation(RelationType::kAround, {}, {"desk_1"});
-  for (int i = 0; i < 7; ++i) {
-    objects.push_back(object("plant_" + std::to_string(i), "plant"));
-    around.targets.push_back(objects.back().id);
-  }
-  const Size size = normalized(scene_of(objects, {around})).find_object("desk_1")->size->usual;
-  EXPECT_GE(2 * (size.width + size.depth), 7 * 600);
 }
 
 TEST(NormalizeRoom, GrowsWithItsFurniture) {

@@ -46,6 +46,9 @@ void settle_articles_only(NormalizeContext& context);
 // Polygon, height, walls and openings. REQUIRES: sizes of objects are known (an unsized room grows with them).
 void normalize_room(NormalizeContext& context);
 
+// Walls, places and sizes of doors and windows; one of each where nobody spoke of any. REQUIRES: outline and height are known.
+void normalize_openings(NormalizeContext& context);
+
 // By how much a room of that size must grow so that distances and heights that words ask for find room in it, given how large things are.
 double growth_for_distances(const NormalizeContext& context, double width, double depth);
 

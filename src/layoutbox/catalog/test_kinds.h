@@ -65,6 +65,12 @@ inline SceneGraph normalized(SceneGraph scene, const NormalizeOptions& options =
   return result.value_or(SceneGraph{});
 }
 
+inline SceneGraph with_whole_catalogue(const SceneGraph& scene) {
+  auto normal = normalize_scene(scene, Catalog::builtin());
+  EXPECT_TRUE(normal);
+  return normal ? *normal : SceneGraph{};
+}
+
 inline Error error_of(SceneGraph scene) {
   const auto result = normalize_scene(std::move(scene), catalog());
   EXPECT_FALSE(result);

@@ -101,10 +101,7 @@ inline bool has_id(const std::vector<std::string>& ids, const std::string& id) {
 
 inline bool is_support(RelationType type) { return traits_of(type).supports; }
 
-inline bool is_turn(RelationType type) {
-  return type == RelationType::kFacing || type == RelationType::kParallel || type == RelationType::kPerpendicular ||
-         type == RelationType::kSameOrientation;
-}
+inline bool is_turn(RelationType type) { return traits_of(type).turns; }
 
 // Says where its targets are, and not only which way they look or what stays free.
 inline bool says_where(RelationType type) {

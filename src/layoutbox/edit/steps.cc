@@ -3,6 +3,7 @@
 
 #include "layoutbox/edit/stepper.h"
 #include "layoutbox/scene/layout_scene.h"
+#include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox {
 
@@ -101,9 +102,7 @@ void EditStepper::drop_relations_of_what_is_gone() {
     const Relation whole = relation;
     std::erase_if(relation.targets, gone);
     std::erase_if(relation.references, gone);
-    const bool alone =
-        relation.targets.size() < 2 && whole.targets.size() >= 2 && relation_row(relation.type).arity == RelationArity::kNone &&
-        (relation.type == R::kRow || relation.type == R::kGrid || relation.type == R::kColumn || relation.type == R::kEvenlySpaced);
+    const bool alone = relation.targets.size() < 2 && whole.targets.size() >= 2 && traits_of(relation.type).order_only;
     if (relation.targets.empty() || (referred && relation.references.empty()) || alone) {
       if (whole.asked()) dropped_.push_back(whole);
       softened_.erase(whole.id);

@@ -6,6 +6,7 @@
 #include "layoutbox/catalog/groups.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/spoken.h"
+#include "layoutbox/scene/relation_traits.h"
 #include "layoutbox/scene/shell.h"
 
 namespace layoutbox {
@@ -224,15 +225,13 @@ class Companions {
 
   // Does the text say where furniture stands? Then it is the whole arrangement; rows and ways to look alone are not.
   bool says_where() const {
-    using R = RelationType;
     const auto is_furniture = [&](const std::string& id) {
       const SceneObject* object = scene_.find_object(id);
       return object != nullptr && stands(*object);
     };
     return std::ranges::any_of(scene_.relations, [&](const Relation& r) {
-      const bool order =
-          r.type == R::kRow || r.type == R::kColumn || r.type == R::kGrid || r.type == R::kFacing || r.type == R::kSameOrientation;
-      return r.origin == Origin::kAsked && !order && std::ranges::any_of(r.targets, is_furniture);
+      const RelationTraits& traits = traits_of(r.type);
+      return r.origin == Origin::kAsked && !traits.order_only && !traits.turns && std::ranges::any_of(r.targets, is_furniture);
     });
   }
 

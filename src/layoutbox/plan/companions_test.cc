@@ -68,6 +68,28 @@ TEST(Companions, ATextThatSaysWhereThingsStandIsNotFilledUp) {
   EXPECT_TRUE(added_to("A supermarket with a shelf unit against the wall and a shopping cart in front of the shelf unit.").empty());
 }
 
+// Things in a row, evenly apart or turned to one another may be anywhere: the room is filled up as if that were not said.
+TEST(Companions, OrderAndTurnsAloneSayNotWhereThingsStand) {
+  static const std::unique_ptr<Planner> planner = make_offline_planner(Catalog::builtin());
+  const auto plan = planner->plan("A classroom of 148 square meters with six school desks.", {});
+  ASSERT_TRUE(plan);
+  const auto added_beside = [&](RelationType type) {
+    SceneGraph scene = plan->scene;
+    Relation said;
+    said.id = "said", said.type = type, said.origin = Origin::kAsked;
+    said.targets = {scene.objects.at(0).id};
+    (relation_row(type).arity == RelationArity::kNone ? said.targets : said.references).push_back(scene.objects.at(1).id);
+    scene.relations.push_back(said);
+    const auto sized = normalize_scene(scene, Catalog::builtin(), {});
+    EXPECT_TRUE(sized);
+    return sized ? add_companions(scene, *sized, plan->unwanted, Catalog::builtin()) : 0;
+  };
+  const std::size_t nothing_said = added_beside(RelationType::kRow);
+  EXPECT_GT(nothing_said, added_beside(RelationType::kLeftOf));
+  for (const RelationType type : {RelationType::kEvenlySpaced, RelationType::kParallel, RelationType::kPerpendicular})
+    EXPECT_EQ(added_beside(type), nothing_said) << relation_row(type).name;
+}
+
 TEST(Companions, ALampComesWithABed) {
   EXPECT_EQ(count_of(added_to("A bedroom, 4 x 4 m, with a bed, two nightstands and a wardrobe."), "table_lamp"), 2);
   EXPECT_EQ(count_of(added_to("A bedroom, 4 x 4 m, with a bed and a floor lamp."), "table_lamp"), 0);

@@ -351,6 +351,8 @@ TEST(SceneSchema, KnowsExactlyTheParametersAndTheirValues) {
     EXPECT_EQ(row.reads("edge"), !edges_of(row.type).empty()) << row.name;
     for (const char* key : {"edge", "region", "part", "gap", "min"}) EXPECT_TRUE(members.contains(key));
   }
+  // Defaults are the table's: what the schema does not say cannot be another.
+  for (const auto& [key, member] : members.items()) EXPECT_FALSE(member.contains("default")) << key;
 }
 
 Relation read_relation(json relation, std::vector<Note>* notes = nullptr) {

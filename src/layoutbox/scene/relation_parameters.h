@@ -45,15 +45,20 @@ class ThingPart {
   std::uint16_t words_ = 0;
 };
 
-// Absent = the table's default.
-struct RelationParameters {
+// What a default in the relation table can say as well.
+struct RelationFigures {
   std::optional<Axis> axis;
   std::optional<Mm> distance, min, max, gap, depth, width, height;
   std::optional<Side> side;
-  ThingPart part;
   std::optional<Edge> edge;
   std::optional<RoomRegion> region;
   std::optional<int> columns;
+  friend bool operator==(const RelationFigures&, const RelationFigures&) = default;
+};
+
+// Absent = the table's default.
+struct RelationParameters : RelationFigures {
+  ThingPart part;
 };
 
 // Does that part of the room lie at that side? The middle at none, "back left" at two.

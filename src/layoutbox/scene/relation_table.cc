@@ -1,7 +1,8 @@
 #include "layoutbox/scene/relation_table.h"
 
 #include <array>
-#include <charconv>
+
+#include "layoutbox/scene/name_tables.h"
 
 namespace layoutbox {
 namespace {
@@ -9,9 +10,70 @@ namespace {
 using enum RelationGroup;
 using enum RelationArity;
 
+// "gap=0.02, side" → "gap=0.02" now, "side" later.
+constexpr std::string_view next_item(std::string_view& rest) {
+  const std::size_t comma = rest.find(", ");
+  const std::string_view item = rest.substr(0, comma);
+  rest = comma == std::string_view::npos ? std::string_view() : rest.substr(comma + 2);
+  return item;
+}
+constexpr std::string_view key_in(std::string_view item) { return item.substr(0, item.find('=')); }
+
+// "0.02" metres → 20. What it cannot read does not compile.
+consteval Mm millimetres(std::string_view metres) {
+  Mm length = 0, unit = 1000;
+  bool whole = true;
+  for (const char c : metres) {
+    if (c == '.' && whole) {
+      whole = false;
+    } else if (c >= '0' && c <= '9' && (whole || unit > 1)) {
+      if (!whole) unit /= 10;
+      length = whole ? 10 * length + 1000 * (c - '0') : length + unit * (c - '0');
+    } else {
+      throw "no length of whole millimetres";
+    }
+  }
+  return length;
+}
+
+template <class Enum, std::size_t N>
+consteval Enum named(const std::string_view (&names)[N], std::string_view name) {
+  for (std::size_t i = 0; i < N; ++i) {
+    if (names[i] == name) return static_cast<Enum>(i);
+  }
+  throw "no such value";
+}
+
+consteval RelationFigures defaults_in(std::string_view parameters) {
+  RelationFigures out;
+  while (!parameters.empty()) {
+    const std::string_view item = next_item(parameters), name = key_in(item);
+    if (name == item) continue;  // it has none
+    const std::string_view value = item.substr(name.size() + 1);
+    if (name == "min") {
+      out.min = millimetres(value);
+    } else if (name == "max") {
+      out.max = millimetres(value);
+    } else if (name == "gap") {
+      out.gap = millimetres(value);
+    } else if (name == "width") {
+      out.width = millimetres(value);
+    } else if (name == "side") {
+      out.side = named<Side>(kSideNames, value);
+    } else if (name == "edge") {
+      out.edge = named<Edge>(kEdgeNames, value);
+    } else if (name == "axis" && value == "x") {
+      out.axis = Axis::kX;
+    } else {
+      throw "no parameter that can have a default";
+    }
+  }
+  return out;
+}
+
 constexpr std::array kRows{
 #define LAYOUTBOX_RELATION(name, json_name, group, arity, kinds, parameters, sentence) \
-  RelationRow{RelationType::k##name, json_name, group, arity, kinds, parameters, sentence},
+  RelationRow{RelationType::k##name, json_name, group, arity, kinds, parameters, defaults_in(parameters), sentence},
 #include "layoutbox/scene/relation_list.inc"
 #undef LAYOUTBOX_RELATION
 };
@@ -30,30 +92,10 @@ const RelationRow* find_relation(std::string_view name) {
 }
 
 bool RelationRow::reads(std::string_view parameter) const {
-  std::string_view rest = parameters;
-  for (std::size_t at = 0; at != std::string_view::npos; rest.remove_prefix(at + 2)) {
-    at = rest.find(", ");
-    const std::string_view item = rest.substr(0, at);
-    if (item.substr(0, item.find('=')) == parameter) return true;
-    if (at == std::string_view::npos) break;
+  for (std::string_view rest = parameters; !rest.empty();) {
+    if (key_in(next_item(rest)) == parameter) return true;
   }
   return false;
-}
-
-std::optional<double> relation_default(RelationType type, std::string_view parameter) {
-  std::string_view rest = relation_row(type).parameters;
-  while (!rest.empty()) {
-    const std::size_t comma = rest.find(',');
-    std::string_view item = rest.substr(0, comma);
-    rest = comma == std::string_view::npos ? std::string_view{} : rest.substr(comma + 1);
-    while (item.starts_with(' ')) item.remove_prefix(1);
-    if (!item.starts_with(parameter) || item.size() <= parameter.size() || item[parameter.size()] != '=') continue;
-    item.remove_prefix(parameter.size() + 1);
-    double value = 0;
-    const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), value);
-    if (error == std::errc{} && end == item.data() + item.size()) return value;
-  }
-  return std::nullopt;
 }
 
 }  // namespace layoutbox

@@ -1,9 +1,10 @@
 // The one table of relations: names, what they relate, their parameters and the sentence that says them.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string_view>
+
+#include "layoutbox/scene/relation_parameters.h"
 
 namespace layoutbox {
 
@@ -28,6 +29,7 @@ struct RelationRow {
   RelationArity arity;
   unsigned reference_kinds;     // flags of ReferenceKind
   std::string_view parameters;  // "gap=0.02, side": the parameters it reads and their defaults (metres)
+  RelationFigures defaults;     // the same, read when this is compiled
   std::string_view sentence;    // "{targets} stands with its back against {references}"
 
   bool reads(std::string_view parameter) const;
@@ -40,8 +42,5 @@ const RelationRow& relation_row(RelationType type);
 
 // The row of that JSON name; `in` and the paper's `inside` are two names, everything else has one.
 const RelationRow* find_relation(std::string_view name);
-
-// The default of a parameter in the table ("max" of nextTo is 0.5), in metres; empty where there is none.
-std::optional<double> relation_default(RelationType type, std::string_view parameter);
 
 }  // namespace layoutbox

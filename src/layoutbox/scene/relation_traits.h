@@ -33,6 +33,12 @@ struct RelationTraits {
   bool supports = false;           // the reference carries the target
   bool targets_turned = false;     // the solver's cases are right for targets at odd angles,
   bool references_turned = false;  // and for references; of the others it sees the box around them
+  bool of_group = false;           // speaks of its targets together
+  bool order_only = false;         // how its targets stand to each other, not where they are
+  bool turns = false;              // which way its targets look, not where they are
+  bool beside = false;             // its targets stand beside its references, on one floor
+  bool around = false;             // on all sides of its reference, looking at it
+  bool brings = false;             // its targets belong to its reference: a chair to the table where it stands
   Placing placing = Placing::kAnywhere;
   std::optional<RelationType> inverse = std::nullopt;  // t R r is r I t, where both look the same way
   RelationSet weaker = {};                             // these hold too, with their defaults (between things without other parameters)
@@ -41,6 +47,9 @@ struct RelationTraits {
 };
 
 const RelationTraits& traits_of(RelationType type);
+
+// Is that what it says, or does that follow from it?
+bool says_too(RelationType type, RelationType other);
 
 // Can the two not hold between the same two things at once? Of one that names a wall: not with two walls.
 bool are_opposed(RelationType a, RelationType b);

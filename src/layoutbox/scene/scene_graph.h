@@ -142,6 +142,18 @@ struct Relation {
   bool asked() const { return origin == Origin::kAsked; }
 };
 
+// A parameter in effect: as given, else the default of the type's row; in_effect() is empty where there is neither.
+template <class T>
+std::optional<T> in_effect(const Relation& relation, std::optional<T> RelationFigures::*parameter) {
+  const std::optional<T>& given = relation.parameters.*parameter;
+  return given ? given : relation_row(relation.type).defaults.*parameter;
+}
+// REQUIRES: the row has a default for it.
+template <class T>
+T or_default(const Relation& relation, std::optional<T> RelationFigures::*parameter) {
+  return in_effect(relation, parameter).value_or(T{});
+}
+
 // Something that was read in another way than written, filled in, or not understood; for run.json and stderr.
 struct Note {
   std::string code;     // "filled", "converted", "guessed", "ignored", "not-understood", "contradiction"…

@@ -86,14 +86,13 @@ class AfterTheStop : public testing::Test {
     auto model = build_model(scene, Catalog::builtin());
     EXPECT_TRUE(model);
     Budget budget{0, 1'000'000'000, [] { return true; }, false};
-    const std::vector<char> all(model->items.size(), 0);
     if (quickly) {
       const Dependencies dependencies(*model);
       Placements placements(model->items.size());
-      QuickSearch(*model, dependencies, {}, 1, 1000).complete(placements, all, budget);
+      QuickSearch(*model, dependencies, {}, 1, 1000).complete(placements, budget);
     } else {
       Search search(*model, {}, 1, 1000);
-      search.construct(all, 8, budget);
+      search.construct(8, budget);
       search.improve(budget, kPatience);
     }
     return budget.steps + budget.work;
@@ -130,10 +129,9 @@ TEST_F(AfterTheStop, ACrowdIsMovedNoMore) {
   const SceneGraph scene = grid_of_chairs(225, 15);
   const auto model = build_model(scene, Catalog::builtin());
   ASSERT_TRUE(model);
-  const std::vector<char> all(model->items.size(), 0);
   Budget finding{0, 1'000'000'000, {}, false};
   Search search(*model, {}, 1, 0);
-  ASSERT_TRUE(search.construct(all, 1, finding));
+  ASSERT_TRUE(search.construct(1, finding));
   const Placements found = search.placements();
   for (int asks = 0; asks < 300; asks += 20) {
     int asked = 0;
@@ -143,7 +141,7 @@ TEST_F(AfterTheStop, ACrowdIsMovedNoMore) {
       if (++asked > asks && !at) at = budget.steps + budget.work;
       return at.has_value();
     };
-    search.adopt(found, all);
+    search.adopt(found);
     search.improve(budget, kPatience, false);
     if (!at) continue;
     EXPECT_LT(budget.steps + budget.work - *at, kMoment / 4) << "after the stop was asked for " << asks << " times";

@@ -28,7 +28,7 @@ void Solver::prove_best() {
   double time = budgets_.best_proof;
   bool access = false;
   for (int question = 0; question < kMostQuestions && time > 0 && !must_stop(); ++question) {
-    Encoding encoding(model_, given_up_, left_out_);
+    Encoding encoding(model_, scope_);
     encoding.bound_cost(best - kPoint, access);
     CpParameters parameters;
     parameters.seed = options_.seed, parameters.presolve = parameters.inclusions = true;
@@ -43,8 +43,8 @@ void Solver::prove_best() {
       must_stop();  // notes that it was the clock, if it was
       return;
     }
-    Search search(model_, given_up_, options_.seed, size_limit_);
-    search.adopt(encoding.placements_of(answer->values), left_out_);
+    Search search(model_, scope_, options_.seed, size_limit_);
+    search.adopt(encoding.placements_of(answer->values));
     Budget polish{0, kPolish, [this] { return must_stop(); }, false};
     search.improve(polish, kPatience);
     Placements better = search.placements();

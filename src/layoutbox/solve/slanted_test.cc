@@ -169,5 +169,15 @@ TEST(Slanted, ARoomThatIsNotConvex) {
   }
 }
 
+// The floor behind the slanted wall is none of the room's.
+TEST(Slanted, TooMuchIsTooMuchForThePolygon) {
+  const auto layout = solve(SceneMaker(kCutCorner).add("bed", 9).add("sofa", 9).make(true), Catalog::builtin());
+  ASSERT_TRUE(layout) << layout.error().message;
+  ASSERT_FALSE(layout->conflicts.empty());
+  const std::string& sentence = layout->conflicts[0].sentence;
+  for (const char* part : {"need at least", "the room has 18.9 m²", "m² less", "without"})
+    EXPECT_NE(sentence.find(part), std::string::npos) << sentence;
+}
+
 }  // namespace
 }  // namespace layoutbox::placement

@@ -1,7 +1,6 @@
 #include "layoutbox/solve/solving.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "layoutbox/solve/conflict/relax.h"
@@ -16,13 +15,7 @@ namespace {
 
 constexpr double kShortProof = 0.32;  // of CP-SAT's deterministic time
 constexpr std::size_t kMostForEarlyProof = 40;
-constexpr int kStarts = 4, kIdleShakes = 40;
-constexpr std::int64_t kShortPatience = 1, kPatienceShaken = 4;  // moves in vain a thing
-constexpr std::int64_t kShareOfLast = 4;
-// A cost (a score of 0.5), above which so many times the effort is worth it, in rooms of so few things.
-constexpr std::int64_t kPoor = 1'000'000, kMoreForPoor = 2;
-constexpr std::size_t kFew = 40;
-constexpr std::int64_t kShareOfStarts = 8, kShareOfTakingBack = 4;
+constexpr std::int64_t kShareOfTakingBack = 4;
 
 }  // namespace
 
@@ -58,8 +51,8 @@ Result<Layout> Solver::run() {
 }
 
 void Solver::size_to_model() {
-  given_up_.assign(model_.constraints.size(), 0);
-  left_out_.assign(model_.items.size(), 0);
+  scope_.given_up.assign(model_.constraints.size(), 0);
+  scope_.left_out.assign(model_.items.size(), 0);
   placements_.assign(model_.items.size(), {});
   failed_.clear();
 }
@@ -71,8 +64,8 @@ bool Solver::must_stop() {
 
 // One thing less where sums show that not everything can be; kPlaced: they show nothing.
 Result<Solver::Round> Solver::settle_sums() {
-  std::vector<Clash> sums = clashes_of_locks(model_, given_up_, left_out_);
-  if (sums.empty()) sums = clashes_by_sums(model_, given_up_, left_out_);
+  std::vector<Clash> sums = clashes_of_locks(model_, scope_);
+  if (sums.empty()) sums = clashes_by_sums(model_, scope_);
   if (sums.empty()) return Round::kPlaced;
   LAYOUTBOX_ASSIGN(const bool less, shed(sums));
   if (!less) {
@@ -112,7 +105,7 @@ Status Solver::find_legal() {
     if (fallback_) return {};
     if (enough()) break;
     LAYOUTBOX_ASSIGN(now, settle_sums());
-    if (now == Round::kPlaced && !search(given_up_)) {
+    if (now == Round::kPlaced && !search(scope_)) {
       if (!brought_.empty()) {
         placements_ = brought_, size_limit_ = kAllSizes;
         return {};
@@ -132,7 +125,7 @@ Status Solver::find_legal() {
 Result<Solver::Early> Solver::prove_early() {
   if (budgets_.search <= budgets_.first || enough()) return Early::kUnknown;
   if (model_.items.size() <= kMostForEarlyProof) {
-    LAYOUTBOX_ASSIGN(const Proof proof, ask(given_up_, left_out_, placements_, kShortProof));
+    LAYOUTBOX_ASSIGN(const Proof proof, ask(scope_, placements_, kShortProof));
     if (interrupted()) return fail(ErrorCode::kInterrupted, "stopped");
     if (proof.outcome == Proof::Outcome::kLayout) {
       placements_ = proof.placements;
@@ -145,7 +138,7 @@ Result<Solver::Early> Solver::prove_early() {
     }
   }
   // It does not go the way of the first once more.
-  return search(given_up_, budgets_.search, options_.seed + kSeedStep) ? Early::kFound : Early::kUnknown;
+  return search(scope_, budgets_.search, options_.seed + kSeedStep) ? Early::kFound : Early::kUnknown;
 }
 
 bool Solver::any_other_size() const {
@@ -155,41 +148,41 @@ bool Solver::any_other_size() const {
 }
 
 // Crowds in rows, grids and blocks at their places from the first.
-bool Solver::search_formed(const std::vector<char>& given_up, int sizes) {
+bool Solver::search_formed(const Scope& scope, int sizes) {
   constexpr std::size_t kCrowd = 4;
-  Search search(model_, given_up, options_.seed, sizes);
+  Search search(model_, scope, options_.seed, sizes);
   Budget budget = part(2 * kLeastSteps);
-  if (!search.construct_formed(left_out_, kCrowd, budget)) return false;
+  if (!search.construct_formed(kCrowd, budget)) return false;
   placements_ = search.placements();
   return true;
 }
 
-bool Solver::search(const std::vector<char>& given_up, std::int64_t steps, std::uint64_t seed) {
+bool Solver::search(const Scope& scope, std::int64_t steps, std::uint64_t seed) {
   const Dependencies dependencies(model_);
   for (const int sizes : {0, kAllSizes}) {
     if (sizes > 0 && !any_other_size()) break;
     size_limit_ = sizes;
     Budget budget = part(steps);
     if (!model_.start.empty()) {  // what stays near its earlier place is looked for there
-      Search search(model_, given_up, options_.seed, sizes);
-      const bool found = search.construct(left_out_, kRestarts, budget);
+      Search search(model_, scope, options_.seed, sizes);
+      const bool found = search.construct(kRestarts, budget);
       placements_ = search.placements();
       if (found) return true;
       budget.limit += kLeastSteps;
     } else {
       placements_.assign(model_.items.size(), {});
-      if (search_formed(given_up, sizes)) return true;
+      if (search_formed(scope, sizes)) return true;
     }
-    QuickSearch quick(model_, dependencies, given_up, seed, sizes);
-    const bool found = quick.complete(placements_, left_out_, budget);
+    QuickSearch quick(model_, dependencies, scope, seed, sizes);
+    const bool found = quick.complete(placements_, budget);
     failed_ = quick.failed();
     if (found) return true;
     // Crowds that only fit in order: where what is wished for shows the way, the search that looks at costs finds what the quick one
     // does not.
     if (model_.start.empty() && !enough()) {
-      Search search(model_, given_up, options_.seed, sizes);
+      Search search(model_, scope, options_.seed, sizes);
       Budget more = part(kLeastSteps);
-      if (search.construct(left_out_, 1, more)) {
+      if (search.construct(1, more)) {
         placements_ = search.placements();
         return true;
       }
@@ -200,13 +193,13 @@ bool Solver::search(const std::vector<char>& given_up, std::int64_t steps, std::
 }
 
 // CP-SAT's word, as far as it is there and may still be asked. `most`: of its deterministic time.
-Result<Proof> Solver::ask(const std::vector<char>& given_up, const std::vector<char>& left_out, const Placements& hint, double most) {
+Result<Proof> Solver::ask(const Scope& scope, const Placements& hint, double most) {
   if (!options_.prove || proof_time_ <= 0 || must_stop()) return Proof{};
   const auto library = CpSatLibrary::get();
   if (!library) return Proof{};
   used_cp_sat_ = true;
   const ProofLimits limits{options_.seed, std::min(most, proof_time_), std::max(0.1, options_.time_limit_s - seconds()), options_.stop};
-  LAYOUTBOX_ASSIGN(Proof proof, decide(model_, **library, given_up, left_out, hint, limits));
+  LAYOUTBOX_ASSIGN(Proof proof, decide(model_, **library, scope, hint, limits));
   proof_time_ -= proof.deterministic_time;
   return proof;
 }
@@ -229,7 +222,7 @@ Result<bool> Solver::prove() {
   const auto library = CpSatLibrary::get();
   if (!library && options_.on_conflict == OnConflict::kFail) return Failure(library.error());
   const bool others_may_give_way = loose || !assumptions_left().empty();
-  LAYOUTBOX_ASSIGN(const Proof proof, ask(given_up_, left_out_, placements_, others_may_give_way ? kShortProof : proof_time_));
+  LAYOUTBOX_ASSIGN(const Proof proof, ask(scope_, placements_, others_may_give_way ? kShortProof : proof_time_));
   if (interrupted()) return fail(ErrorCode::kInterrupted, "stopped");
   switch (proof.outcome) {
     case Proof::Outcome::kLayout: placements_ = proof.placements; return true;
@@ -241,83 +234,6 @@ Result<bool> Solver::prove() {
   }
   must_stop();
   return give_up_unproven(loose, loosely);
-}
-
-std::int64_t Solver::cost() const {
-  std::int64_t sum = 0;
-  for (const auto& [term, points] : cost_terms(model_, placements_)) sum += points;
-  return sum;
-}
-
-// Another layout to improve; to look for it takes a part of the effort, and leaves the rest for making it better. The first is built at
-// the cheapest places, the next otherwise, now and then without a look at costs.
-bool Solver::begin(Search& search, int start, Budget& budget) {
-  Budget part{0, std::max(kLeastSteps, (budget.limit - budget.steps) / kShareOfStarts), budget.stop, false};
-  bool found = start == 0 ? search.construct(left_out_, 1, part) : search.construct_unlike(left_out_, part);
-  if (!found && start == 0) search.adopt(placements_, left_out_), found = true;
-  if (!found && !part.stopped) {
-    const Dependencies dependencies(model_);
-    Placements other(model_.items.size());
-    QuickSearch quick(model_, dependencies, given_up_, options_.seed + kSeedStep * static_cast<std::uint64_t>(start), size_limit_);
-    found = quick.complete(other, left_out_, part);
-    if (found) search.adopt(other, left_out_);
-  }
-  budget.count(part.steps);
-  return found;
-}
-
-// From unlike starts a short improvement each; then the best is shaken and improved again and again, until that brings nothing more or the
-// effort is spent. The best of all is kept.
-void Solver::improve() {
-  Budget budget{0, budgets_.improvement, {}, false};
-  budget.stop = [this, &budget] {
-    if (options_.on_progress) options_.on_progress(std::min(1.0, static_cast<double>(budget.steps) / static_cast<double>(budget.limit)));
-    return must_stop();
-  };
-  Search search(model_, given_up_, options_.seed, size_limit_);
-  search.skip_dear_regions();
-  std::int64_t least = cost();
-  const auto take_if_better = [&] {
-    Placements other = search.placements();
-    std::swap(placements_, other);
-    const std::int64_t now = cost();
-    if (now < least) {
-      least = now;
-      return true;
-    }
-    std::swap(placements_, other);
-    return false;
-  };
-  if (!model_.start.empty()) {
-    search.adopt(placements_, left_out_);
-    search.improve(budget, kPatience);
-    take_if_better();
-    return;
-  }
-  int idle = 0;  // since the last that brought something
-  bool more = model_.items.size() <= kFew;
-  for (int start = 0; idle < kIdleShakes; ++start, ++idle) {
-    if (budget.spent()) {
-      if (!std::exchange(more, false) || least < kPoor || budget.stopped) break;
-      budget.limit += kMoreForPoor * budgets_.improvement;
-    }
-    if (start < kStarts && begin(search, start, budget)) {
-      search.form_up(budget);
-      search.improve(budget, kShortPatience);
-    } else {
-      search.adopt(placements_, left_out_);
-      search.shake(budget);
-      search.improve(budget, kPatienceShaken, false);
-    }
-    if (take_if_better()) idle = 0;
-  }
-  if (budget.stopped) return;
-  // The best of all gets a share of its own: each thing is looked at once more, however much was spent on the way.
-  Budget last{0, std::max(budgets_.improvement / kShareOfLast, budget.limit - budget.steps), budget.stop, false};
-  search.adopt(placements_, left_out_);
-  search.form_up(last);
-  search.improve(last, kPatience);
-  take_if_better();
 }
 
 }  // namespace layoutbox::placement

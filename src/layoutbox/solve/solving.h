@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "layoutbox/solve/conflict/conflict.h"
+#include "layoutbox/solve/model/scope.h"
 #include "layoutbox/solve/search/budgets.h"
 #include "layoutbox/solve/search/candidates.h"
 #include "layoutbox/solve/solver.h"
@@ -69,12 +70,14 @@ class Solver {
   enum class Early { kFound, kGivenUp, kUnknown };
   Result<Early> prove_early();
   bool any_other_size() const;
-  bool search_formed(const std::vector<char>& given_up, int sizes);
-  bool search(const std::vector<char>& given_up) { return search(given_up, budgets_.first, options_.seed); }
-  bool search(const std::vector<char>& given_up, std::int64_t steps, std::uint64_t seed);
+  bool search_formed(const Scope& scope, int sizes);
+  bool search(const Scope& scope) { return search(scope, budgets_.first, options_.seed); }
+  bool search(const Scope& scope, std::int64_t steps, std::uint64_t seed);
   Result<bool> prove();
   void look_for_more(const Clash& clash);
-  Result<Proof> ask(const std::vector<char>& given_up, const std::vector<char>& left_out, const Placements& hint, double most);
+  Result<Proof> ask(const Scope& scope, const Placements& hint, double most);
+
+  // ---- making it better (improving.cc), and whether it can be (best.cc)
   void improve();
   bool begin(Search& search, int start, Budget& budget);
   void prove_best();
@@ -114,11 +117,10 @@ class Solver {
   Status take_what_fits();
   Status note_what_is_missing();
   void drop_what_hangs_in_the_air();
-  void place_what_fits(const PlacementModel& trial, const std::vector<char>& given_up, const std::vector<char>& left_out,
-                       std::uint64_t seed, double until);
-  void let_companions_in(const PlacementModel& trial, const std::vector<char>& given_up);
-  void place_openings_first(const PlacementModel& trial, const std::vector<char>& given_up);
-  std::vector<char> all_wished(PlacementModel& trial) const;
+  void place_what_fits(const PlacementModel& trial, const Scope& scope, std::uint64_t seed, double until);
+  void let_companions_in(const PlacementModel& trial, const Scope& scope);
+  void place_openings_first(const PlacementModel& trial, const Scope& scope);
+  Scope all_wished(PlacementModel& trial) const;
   void keep_what_can_be(std::vector<int>& missed);
   Clash guess() const;
   Status give_up(const Clash& clash);
@@ -126,7 +128,7 @@ class Solver {
   std::int64_t miss_without(int constraint);
   Result<bool> note_conflict(const Clash& clash, bool asked);
   void fall_back();
-  std::vector<char> given_up_in(const PlacementModel& model) const;
+  Scope scope_in(const PlacementModel& model) const;
   bool is_relaxed(const std::string& name) const {
     return std::any_of(relaxed_.begin(), relaxed_.end(), [&](const auto& r) { return r.first == name; });
   }
@@ -146,6 +148,7 @@ class Solver {
   Result<Clash> smallest_crowd(Clash clash);
   Status leave_out(int item, const std::string& why);
   void note_lost_by(int item);
+  void note_left_out(int item, const std::string& why);
   // ---- far too much (shed.cc)
   std::vector<int> surplus_items() const;
   Result<bool> shed(const std::vector<Clash>& sums);
@@ -170,7 +173,7 @@ class Solver {
   Clock::time_point started_;
   Budgets budgets_;
   Budget finding_;
-  std::vector<char> given_up_, left_out_;
+  Scope scope_;                                               // what is asked for still
   std::vector<std::pair<std::string, std::string>> relaxed_;  // constraints given up, and why
   std::vector<std::string> left_out_ids_, lost_;              // objects, and the relations that went with them
   std::map<std::string, std::string> lost_words_;             // by relation

@@ -25,10 +25,12 @@ Finding any_face(const RelationCase& c, const std::vector<Face>& all, const std:
 
 }  // namespace
 
-std::optional<double> RelationCase::metres(std::optional<Mm> given, std::string_view name) const {
-  if (given) return *given / 1000.0;
-  return relation_default(relation.type, name);
+std::optional<double> RelationCase::metres(std::optional<Mm> RelationFigures::*parameter) const {
+  const std::optional<Mm> length = in_effect(relation, parameter);
+  return length ? std::optional(*length / 1000.0) : std::nullopt;
 }
+
+double max_of(const RelationCase& c) { return c.metres(&RelationParameters::max).value_or(0); }
 
 Finding all_of(std::vector<Finding> findings) {
   if (findings.empty()) return {};

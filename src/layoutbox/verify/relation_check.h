@@ -42,7 +42,7 @@ struct RelationCase {
 
   double slack() const { return view.options.relation_slack_m; }
   // A parameter in metres: as given, else the table's default, else empty.
-  std::optional<double> metres(std::optional<Mm> given, std::string_view name) const;
+  std::optional<double> metres(std::optional<Mm> RelationFigures::*parameter) const;
 };
 
 #define LAYOUTBOX_RELATION(name, json_name, group, arity, kinds, parameters, sentence) Finding check_##name(const RelationCase& c);
@@ -68,6 +68,7 @@ Finding condition(bool held, const std::string& message);
 Finding degrees_at_most(const std::string& what, double value, double limit);
 
 // ---- words of docs/relations.md
+double max_of(const RelationCase& c);  // the greatest distance, in metres. REQUIRES: given, or a default in the row
 std::string name_of_pair(const Body& body, const RelationReference& reference);
 Finding gap_within(const RelationCase& c, const Body& t, const RelationReference& r, std::optional<double> min, std::optional<double> max);
 Finding in_line(const RelationCase& c, const Body& t, const Shape& r, Vec2d along);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/scene/relation_traits.h"
 #include "layoutbox/verify/checks.h"
 #include "layoutbox/verify/relation_check.h"
 
@@ -61,9 +62,7 @@ Finding in_line(const RelationCase& c, const Body& t, const Shape& r, Vec2d alon
 // Left, right, before and behind what has no front are meant in the frame of the one thing that it is said to stand on; not of where it
 // came to stand unasked.
 Frame frame_of(const RelationCase& c, const RelationReference& r) {
-  const RelationType type = c.relation.type;
-  const bool by_side =
-      type == RelationType::kLeftOf || type == RelationType::kRightOf || type == RelationType::kInFrontOf || type == RelationType::kBehind;
+  const bool by_side = traits_of(c.relation.type).placing == Placing::kSide;
   if (!by_side || r.body == nullptr || r.body->has_front) return r.shape().frame;
   const Body* host = nullptr;
   for (const PlacedRelation& placed : c.view.layout.relations) {

@@ -1,4 +1,5 @@
 // docs/relations.md says of every relation what the table says: its parameters, its defaults and its sentence.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -6,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "layoutbox/scene/relation_table.h"
+#include "layoutbox/scene/scene_graph.h"
 
 namespace layoutbox {
 namespace {
@@ -47,6 +48,34 @@ TEST(RelationsPage, HasEveryRelationWithItsParametersAndSentence) {
     EXPECT_FALSE(found->second[2].empty()) << row.name;
     EXPECT_EQ(found->second[3], row.sentence) << row.name;
     EXPECT_FALSE(found->second[4].empty()) << row.name;
+  }
+}
+
+// "gap=0.02, side" → gap: 0.02.
+std::map<std::string, std::string> defaults_in(std::string text) {
+  std::map<std::string, std::string> defaults;
+  for (std::size_t comma = 0; !text.empty(); text.erase(0, comma == std::string::npos ? comma : comma + 1)) {
+    comma = text.find(',');
+    const std::string item = trimmed(text.substr(0, comma));
+    if (const std::size_t is = item.find('='); is != std::string::npos) defaults[item.substr(0, is)] = item.substr(is + 1);
+  }
+  return defaults;
+}
+
+TEST(RelationsPage, SaysTheDefaultsInEffect) {
+  for (const auto& [name, cells] : rows_of_page()) {
+    const RelationFigures& figures = find_relation(name)->defaults;
+    std::map<std::string, std::string> in_effect;
+    const auto add_length = [&](const char* key, std::optional<Mm> length) {
+      if (length) in_effect[key] = fmt::format("{}", m_from_mm(*length));
+    };
+    add_length("distance", figures.distance), add_length("min", figures.min), add_length("max", figures.max);
+    add_length("gap", figures.gap), add_length("depth", figures.depth), add_length("width", figures.width);
+    add_length("height", figures.height);
+    if (figures.side) in_effect["side"] = name_of(*figures.side);
+    if (figures.edge) in_effect["edge"] = name_of(*figures.edge);
+    if (figures.axis) in_effect["axis"] = *figures.axis == Axis::kX ? "x" : *figures.axis == Axis::kY ? "y" : "z";
+    EXPECT_EQ(defaults_in(cells[1]), in_effect) << name;
   }
 }
 

@@ -1,6 +1,7 @@
 #include "layoutbox/verify/room_view.h"
 
 #include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/scene/relation_traits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -193,10 +194,8 @@ bool RoomView::belongs_to(const Body& other, const Body& body) const {
     return std::find(ids.begin(), ids.end(), id) != ids.end();
   };
   return std::any_of(layout.relations.begin(), layout.relations.end(), [&](const PlacedRelation& placed) {
-    const RelationType type = placed.relation.type;
-    const bool brings = type == RelationType::kTuckedUnder || type == RelationType::kAround || type == RelationType::kSurround ||
-                        type == RelationType::kPairedWith;
-    return brings && names(placed.relation.targets, other.id()) && names(placed.relation.references, body.id());
+    return traits_of(placed.relation.type).brings && names(placed.relation.targets, other.id()) &&
+           names(placed.relation.references, body.id());
   });
 }
 

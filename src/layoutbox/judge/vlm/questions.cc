@@ -257,13 +257,13 @@ std::string sentence_of(const Relation& relation, const Layout& layout) {
   replace_all(text, "{references}",
               relation.references.empty() ? nothing_named(relation.type) : list_in_words(relation.references, layout));
   const RelationParameters& given = relation.parameters;
-  const auto metres = [&](std::string_view name, std::optional<Mm> value) {
-    const std::optional<double> length = value ? std::optional(*value / 1000.0) : relation_default(relation.type, name);
-    if (length) replace_all(text, fmt::format("{{{}}}", name), format_number(*length) + " m");
+  const auto metres = [&](std::string_view name, std::optional<Mm> RelationFigures::*parameter) {
+    if (const auto length = in_effect(relation, parameter))
+      replace_all(text, fmt::format("{{{}}}", name), format_number(*length / 1000.0) + " m");
   };
-  metres("min", given.min);
-  metres("max", given.max);
-  metres("distance", given.distance);
+  metres("min", &RelationParameters::min);
+  metres("max", &RelationParameters::max);
+  metres("distance", &RelationParameters::distance);
   if (given.region) replace_all(text, "{region}", std::string(name_of(*given.region)));
   return text.find('{') == std::string::npos ? text : std::string{};
 }

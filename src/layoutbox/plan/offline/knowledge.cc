@@ -2,6 +2,7 @@
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/size_words.h"
 #include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/scene/relation_traits.h"
 
 #include <algorithm>
 #include <array>
@@ -190,10 +191,7 @@ bool goes_into(const NounPhrase& vessel, const NounPhrase& item) {
 }
 
 // What things on one floor are to each other.
-bool stands_beside(RelationType type) {
-  return type == R::kEachSideOf || type == R::kNextTo || type == R::kLeftOf || type == R::kRightOf || type == R::kInFrontOf ||
-         type == R::kBehind || type == R::kAtFootOf || type == R::kBetween;
-}
+bool stands_beside(RelationType type) { return traits_of(type).beside || type == R::kAtFootOf; }
 
 bool may_refer(const Catalog& catalog, const PhraseSenses& senses, const NounPhrase& target, const NounPhrase& reference) {
   const auto says = [&](RelationType type) {

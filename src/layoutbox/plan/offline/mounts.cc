@@ -6,6 +6,7 @@
 #include "layoutbox/catalog/kin.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
+#include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox::offline {
 
@@ -14,9 +15,8 @@ using R = RelationType;
 namespace {
 
 bool is_beside(R type) {
-  return type == R::kNextTo || type == R::kNear || type == R::kLeftOf || type == R::kRightOf || type == R::kBehind ||
-         type == R::kInFrontOf || type == R::kEachSideOf || type == R::kBetween || type == R::kCorner || type == R::kAgainstWall ||
-         type == R::kCenterOfRoom || type == R::kAtFootOf || type == R::kDistance || type == R::kAround || type == R::kOpposite;
+  return traits_of(type).beside || type == R::kNear || type == R::kCorner || type == R::kAgainstWall || type == R::kCenterOfRoom ||
+         type == R::kAtFootOf || type == R::kDistance || type == R::kAround || type == R::kOpposite;
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ RelationBuilder::Held RelationBuilder::how_held(const SceneObject& object, const
     held.wall |= relation.type == R::kOnWall || (relation.type == R::kAbove && has_wall_kind(noun)) || is_board_under(relation, noun);
     held.ceiling |= relation.type == R::kOnCeiling;
     held.above |= relation.type == R::kAbove && !relation.references.empty();
-    held.supported |= relation.type == R::kOn || relation.type == R::kIn || relation.type == R::kStacked;
+    held.supported |= traits_of(relation.type).supports;
     held.beside |= (is_beside(relation.type) || is_under_piece(relation)) && !only_small(relation.references);
   }
   return held;
@@ -159,8 +159,7 @@ bool RelationBuilder::settle_on_floor(SceneObject& object, const NounPhrase& nou
   const auto says = [&](std::string_view word) { return std::ranges::find(noun.attributes, word) != noun.attributes.end(); };
   const bool floor = noun.name.starts_with("floor ") || says("floor-standing") || says("freestanding") || says("free-standing");
   const bool cushion = noun.exact && noun.entry->id == "pillow" && std::ranges::any_of(relations_of(object.id), [&](std::size_t r) {
-                         const R type = scene_.relations[r].type;
-                         return type == R::kAround || type == R::kSurround;
+                         return traits_of(scene_.relations[r].type).around;
                        });
   if (mount_of(noun) != Mount::kSurface || (!floor && !cushion)) return false;
   const auto is_on = [&](const Relation& r) { return r.type == R::kOn && std::ranges::find(r.targets, object.id) != r.targets.end(); };

@@ -89,30 +89,27 @@ class PeopleReader {
       relate(Link::Kind::kHave, {}, seats, table);
   }
 
-  // What else a mention is placed by, of what is named: a desk for its chair.
-  bool belongs_elsewhere(int seat, const Mention& table) const {
-    return std::any_of(document_.links.begin(), document_.links.end(), [&](const Link& link) {
-      return contains(link.targets, seat) && std::any_of(link.references.begin(), link.references.end(), [&](int reference) {
-               const Mention& other = mention(reference);
-               return !other.items.empty() && other.items != table.items && is_table(catalog_, other.noun);
-             });
+  // Is a mention placed by such a one?
+  template <class Predicate>
+  bool is_placed_by(int seat, Predicate is_such) const {
+    return std::ranges::any_of(document_.links, [&](const Link& link) {
+      return contains(link.targets, seat) &&
+             std::ranges::any_of(link.references, [&](int reference) { return is_such(mention(reference)); });
     });
   }
 
-  // It is placed by something that is no table.
-  bool stands_elsewhere(int seat) const {
-    return std::ranges::any_of(document_.links, [&](const Link& link) {
-      return contains(link.targets, seat) && std::ranges::any_of(link.references, [&](int reference) {
-               return mention(reference).noun.kind == NounKind::kObject && !mention(reference).items.empty();
-             });
-    });
+  // By what else is named: a desk for its chair.
+  bool belongs_elsewhere(int seat, const Mention& table) const {
+    return is_placed_by(
+        seat, [&](const Mention& other) { return !other.items.empty() && other.items != table.items && is_table(catalog_, other.noun); });
+  }
+
+  bool stands_by_a_thing(int seat) const {
+    return is_placed_by(seat, [](const Mention& other) { return other.noun.kind == NounKind::kObject && !other.items.empty(); });
   }
 
   bool at_table(int seat, const Mention& table) const {
-    return std::any_of(document_.links.begin(), document_.links.end(), [&](const Link& link) {
-      return contains(link.targets, seat) && std::any_of(link.references.begin(), link.references.end(),
-                                                         [&](int reference) { return mention(reference).items == table.items; });
-    });
+    return is_placed_by(seat, [&](const Mention& other) { return other.items == table.items; });
   }
 
   bool counter_named() const {
@@ -136,7 +133,7 @@ class PeopleReader {
       constexpr int kOfBench = 3;  // sit on one
       const int all = seats * static_cast<int>(table.items.size());
       if (!here && noun.head == "bench" && !noun.is_plural() && all > kOfBench) continue;
-      if (!here && one_of(noun.head, {"stool", "barstool"}) && noun.count == 0 && stands_elsewhere(seat))
+      if (!here && one_of(noun.head, {"stool", "barstool"}) && noun.count == 0 && stands_by_a_thing(seat))
         continue;  // "a bench with stools"
       named = true;
       if (noun.count == 0 && noun.plural && upright && here) grow(seat, seats * static_cast<int>(table.items.size()));

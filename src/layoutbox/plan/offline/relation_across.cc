@@ -5,6 +5,7 @@
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
+#include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox::offline {
 
@@ -42,8 +43,8 @@ bool RelationBuilder::add_across_room(const Link& link, const Mention& target, c
 std::string RelationBuilder::table_of(const std::string& seat) const {
   for (const std::size_t r : relations_of(seat)) {
     const Relation& relation = scene_.relations[r];
-    const bool at = relation.type == R::kAround || relation.type == R::kSurround || relation.type == R::kAlongSide ||
-                    relation.type == R::kInFrontOf || relation.type == R::kTuckedUnder;
+    const bool at = traits_of(relation.type).around || relation.type == R::kAlongSide || relation.type == R::kInFrontOf ||
+                    relation.type == R::kTuckedUnder;
     const SceneObject* table = at && relation.references.size() == 1 ? object_of(relation.references.front()) : nullptr;
     if (table != nullptr && is_table(catalog_, noun_of_object(*table))) return table->id;
   }
@@ -103,8 +104,8 @@ void RelationBuilder::add_across(const Link& link, int item, const std::vector<s
   const std::size_t known = scene_.relations.size();
   add(gap, R::kDistance, {id(item)}, reference);
   if (scene_.relations.size() == known) return;
-  scene_.relations.back().parameters.min = mm_from_m(relation_default(R::kOpposite, "min").value_or(1.5));
-  const Mm most = mm_from_m(relation_default(R::kOpposite, "max").value_or(4));
+  scene_.relations.back().parameters.min = relation_row(R::kOpposite).defaults.min;
+  const Mm most = relation_row(R::kOpposite).defaults.max.value_or(0);
   const bool of_opening =
       !reference.empty() && (scene_.find_opening(reference[0]) != nullptr || reference[0] == "door" || reference[0] == "window");
   if (!of_opening) {

@@ -5,21 +5,12 @@
 #include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
 #include "layoutbox/plan/offline/room_reader.h"
+#include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox::offline {
 
 using R = RelationType;
 using Direction = PhraseSense::Direction;
-
-namespace {
-
-bool speaks_of_group(R type) {
-  return type == R::kAround || type == R::kSurround || type == R::kEachSideOf || type == R::kRow || type == R::kGrid ||
-         type == R::kColumn || type == R::kEvenlySpaced || type == R::kSymmetricAbout || type == R::kStacked || type == R::kCenterOfRoom ||
-         type == R::kPairedWith || type == R::kGroupAlign;
-}
-
-}  // namespace
 
 void RelationBuilder::run() {
   for (Link& link : document_.links) {
@@ -188,7 +179,7 @@ void RelationBuilder::add_alone(const Link& link, const std::vector<int>& target
   };
   const auto sense = std::ranges::find_if(link.senses, stands_alone);
   if (sense == link.senses.end()) return;
-  if (speaks_of_group(sense->type)) return add_group(link, *sense, targets, {}, nullptr);
+  if (traits_of(sense->type).of_group) return add_group(link, *sense, targets, {}, nullptr);
   for (const int target : targets) add(link, sense->type, {id(target)}, {}, *sense);
 }
 
@@ -272,7 +263,7 @@ void RelationBuilder::add_relations_to(const Link& link, const std::vector<int>&
       if (reference.kind != NounKind::kRoom && reference.kind != NounKind::kAbstract) note_no_place(link, target);
       continue;
     }
-    if (speaks_of_group(sense->type)) {
+    if (traits_of(sense->type).of_group) {
       if (m == link.targets.front()) add_group(link, *sense, targets, reference_items, place);
     } else {
       add_single(link, *sense, target, reference_items, place);

@@ -5,6 +5,7 @@
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
+#include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox::offline {
 
@@ -300,7 +301,7 @@ void RelationBuilder::add_clusters() {
     if (share < 2 || look_at_one_thing(mention)) continue;
     // "armchairs in groups of four around coffee tables": the tables make the groups.
     const bool around = std::ranges::any_of(scene_.relations, [&](const Relation& r) {
-      return (r.type == R::kAround || r.type == R::kSurround) && std::ranges::find(r.targets, id(mention.items.front())) != r.targets.end();
+      return traits_of(r.type).around && std::ranges::find(r.targets, id(mention.items.front())) != r.targets.end();
     });
     if (around) continue;
     Link link;

@@ -6,6 +6,7 @@
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
+#include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox::offline {
 
@@ -13,7 +14,7 @@ using R = RelationType;
 
 namespace {
 
-bool at_wall(R type) { return type == R::kAgainstWall || type == R::kOnWall || type == R::kCenteredOnWall || type == R::kSideAgainstWall; }
+bool at_wall(R type) { return says_too(type, R::kAgainstWall) || type == R::kSideAgainstWall; }
 
 }  // namespace
 
@@ -264,7 +265,7 @@ void RelationBuilder::add_habits() {
     SceneObject& object = scene_.objects[i];
     if (object.category != "table" || catalog_.find("dining_table") == nullptr) continue;
     const bool chairs = std::any_of(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& r) {
-      return (r.type == R::kAround || r.type == R::kSurround) && !r.references.empty() && r.references.front() == object.id &&
+      return traits_of(r.type).around && !r.references.empty() && r.references.front() == object.id &&
              r.targets.front().starts_with("dining_chair");
     });
     if (chairs || (scene_.room.type == "dining_room" && document_.items[i].noun.attributes.empty() && is_only_table(i)))

@@ -5,6 +5,7 @@
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
+#include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox::offline {
 
@@ -49,7 +50,7 @@ void RelationBuilder::seat_at_only_table() {
   }
   constexpr std::size_t kFewest = 2;
   const auto has_seats = [&](const Relation& r) {
-    const bool at_it = r.type == R::kAround || r.type == R::kSurround || r.type == R::kAlongSide;
+    const bool at_it = traits_of(r.type).around || r.type == R::kAlongSide;
     const SceneObject* seat = at_it ? object_of(r.targets.front()) : nullptr;
     return seat != nullptr && is_seat(catalog_, noun_of_object(*seat)) && r.references == ids(tables);
   };
@@ -80,8 +81,7 @@ void RelationBuilder::turn_two_sided_tables() {
     const CatalogEntry* entry = table == nullptr ? nullptr : catalog_.find(table->category);
     if (entry == nullptr || entry->used_sides != std::vector{Side::kFront, Side::kBack} || !entry->is(Trait::kTable)) continue;
     const auto seats_two = [&](const Relation& r) {
-      return (r.type == R::kAround || r.type == R::kSurround || r.type == R::kEachSideOf) && r.targets.size() > 1 &&
-             r.references == wall.targets;
+      return (traits_of(r.type).around || r.type == R::kEachSideOf) && r.targets.size() > 1 && r.references == wall.targets;
     };
     if (std::ranges::any_of(scene_.relations, seats_two)) wall.type = R::kSideAgainstWall;
   }

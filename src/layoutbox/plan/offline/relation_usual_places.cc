@@ -5,6 +5,7 @@
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
+#include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox::offline {
 
@@ -119,8 +120,7 @@ void RelationBuilder::share_doors() {
 // "a curtain rail around the bed": the curtain that closes it off, from a rail under the ceiling.
 void RelationBuilder::hang_bed_curtains() {
   for (Relation& relation : scene_.relations) {
-    const bool round =
-        (relation.type == R::kAround || relation.type == R::kSurround) && relation.targets.size() == 1 && relation.references.size() == 1;
+    const bool round = traits_of(relation.type).around && relation.targets.size() == 1 && relation.references.size() == 1;
     const auto rod = round ? std::ranges::find(scene_.objects, relation.targets[0], &SceneObject::id) : scene_.objects.end();
     const SceneObject* bed = round ? object_of(relation.references[0]) : nullptr;
     const CatalogEntry* entry = bed == nullptr ? nullptr : noun_of_object(*bed).entry;

@@ -5,6 +5,7 @@
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
+#include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox::offline {
 
@@ -12,20 +13,16 @@ using R = RelationType;
 
 namespace {
 
-bool carries(R type) { return type == R::kOn || type == R::kIn || type == R::kStacked; }
+bool carries(R type) { return traits_of(type).supports; }
 
 // Side by side at one height.
 bool joins(R type) {
-  return type == R::kNextTo || type == R::kNear || type == R::kLeftOf || type == R::kRightOf || type == R::kBehind ||
-         type == R::kInFrontOf || type == R::kEachSideOf || type == R::kBetween || type == R::kAround || type == R::kDistance ||
-         type == R::kRow || type == R::kEvenlySpaced || type == R::kPairedWith || type == R::kSurround;
+  return traits_of(type).beside || traits_of(type).around || type == R::kNear || type == R::kDistance || type == R::kRow ||
+         type == R::kEvenlySpaced || type == R::kPairedWith;
 }
 
 // A place of its own that is no tabletop.
-bool stands_elsewhere(R type) {
-  return type == R::kOnWall || type == R::kOnCeiling || type == R::kCorner || type == R::kAgainstWall || type == R::kCenterOfRoom ||
-         type == R::kCenteredOnWall;
-}
+bool stands_elsewhere(R type) { return traits_of(type).placing == Placing::kInRoom || type == R::kOnWall || type == R::kOnCeiling; }
 
 constexpr double kSmallArea = 0.16e6;  // mm²
 

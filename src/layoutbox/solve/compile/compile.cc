@@ -67,12 +67,6 @@ void allow_turned_only_where_exact(Compilation& c) {
 
 }  // namespace
 
-Mm Compilation::length(const std::optional<Mm>& given, std::string_view parameter, Mm fallback) const {
-  if (given) return *given;
-  const auto usual = relation_default(relation.type, parameter);
-  return usual ? mm_from_m(*usual) : fallback;
-}
-
 Place Compilation::place(const Reference& reference) const {
   if (reference.kind == Reference::Kind::kItem) return place_of(reference.index);
   if (reference.kind == Reference::Kind::kWall) return place_of(model, model.walls[reference.index]);

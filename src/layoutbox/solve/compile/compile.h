@@ -31,8 +31,8 @@ struct Compilation {
   std::vector<Reference> references;
   Constraint& out;
 
-  // The parameter where it is given, else the table's default, else the fallback.
-  Mm length(const std::optional<Mm>& given, std::string_view parameter, Mm fallback = 0) const;
+  // As given, else the table's default; 0 where there is neither.
+  Mm length(std::optional<Mm> RelationFigures::*parameter) const { return or_default(relation, parameter); }
   Formula& formula() { return out.formulas.emplace_back(); }
   void never() { out.formulas.emplace_back(); }
   const Item& item(int index) const { return model.items[index]; }

@@ -19,7 +19,7 @@ std::vector<int> openings_meant(const Compilation& c, bool windows) {
 }
 
 void near_one(Compilation& c, bool windows) {
-  const Mm least = c.length(c.relation.parameters.min, "min", 0), most = c.length(c.relation.parameters.max, "max", 1500);
+  const Mm least = c.length(&RelationParameters::min), most = c.length(&RelationParameters::max);
   for (const int t : c.targets) {
     Formula& f = c.formula();
     for (const int o : openings_meant(c, windows)) add_band(f, c.model, t, place_of(o), least, most, (least + most) / 4);
@@ -27,7 +27,7 @@ void near_one(Compilation& c, bool windows) {
 }
 
 void far_from_all(Compilation& c, bool windows) {
-  const Mm least = c.length(c.relation.parameters.min, "min", 2000);
+  const Mm least = c.length(&RelationParameters::min);
   for (const int t : c.targets) {
     for (const int o : openings_meant(c, windows)) add_band(c.formula(), c.model, t, place_of(o), least, std::nullopt, 0);
   }
@@ -50,7 +50,7 @@ void add_under_window(Formula& f, const PlacementModel& model, int t, int window
 }
 
 void compile_UnderWindow(Compilation& c) {
-  const Mm most = c.length(c.relation.parameters.max, "max", 300);
+  const Mm most = c.length(&RelationParameters::max);
   for (const int t : c.targets) {
     Formula& f = c.formula();
     for (const int o : openings_meant(c, true)) add_under_window(f, c.model, t, o, most);

@@ -1,4 +1,4 @@
-// Relations between two objects.
+// Relations between two objects: where one is seen from the other.
 #include <array>
 
 #include "layoutbox/solve/compile/phrases.h"
@@ -16,7 +16,7 @@ Mm comfortable_gap(const Item& target, const Item& ref, Side side) {
 }
 
 void beside_each(Compilation& c, Side side) {
-  const Mm most = c.length(c.relation.parameters.max, "max", 1500);
+  const Mm most = c.length(&RelationParameters::max);
   for (const int t : c.targets) {
     for (const int r : c.reference_items()) {
       const Mm wished = comfortable_gap(c.item(t), c.item(r), side);
@@ -53,52 +53,6 @@ void along_side(Compilation& c, int t, int r, Side side, Mm most) {
   }
 }
 
-// After how many degrees it looks the same again: without a front after half a turn, and where it is square after a quarter.
-int period_of(const Item& item, const State& state) {
-  if (item.is_opening()) return 180;
-  if (item.has_front) return 360;
-  return state.size.width == state.size.depth ? 90 : 180;
-}
-
-// The states of t that are turned by `first` degrees, or by that and a multiple of `step`, against something that looks the same after
-// `period` and is turned by `ref_turn`.
-std::uint64_t states_turned(const Item& t, int ref_turn, int period, int first, int step) {
-  std::uint64_t mask = 0;
-  for (std::size_t s = 0; s < t.states.size(); ++s) {
-    const int modulus = std::min({step, period, period_of(t, t.states[s])});
-    if ((t.states[s].turn - ref_turn - first) % modulus == 0) mask |= std::uint64_t{1} << s;
-  }
-  return mask;
-}
-
-void turned_each(Compilation& c, int first, int step) {
-  for (const int t : c.targets) {
-    for (const Reference& r : c.references) {
-      Formula& f = c.formula();
-      if (r.kind == Reference::Kind::kWall) {
-        const RoomWall& wall = c.model.walls[r.index];
-        if (!wall.straight) f.exact = false;
-        const std::uint64_t mask = wall.straight ? states_turned(c.item(t), wall.turn, 180, first, step)
-                                                 : states_at_angle(c.item(t), wall.angle + first, std::min(step, 180));
-        if (mask) f.add().when(t, mask);
-      }
-      if (r.kind != Reference::Kind::kItem) continue;
-      const Item& ref = c.item(r.index);
-      for (std::size_t s = 0; s < ref.states.size(); ++s) {
-        const std::uint64_t mask = states_turned(c.item(t), ref.states[s].turn, period_of(ref, ref.states[s]), first, step);
-        if (!mask) continue;
-        // Cases of one mask are one case.
-        const auto same = std::find_if(f.cases.begin(), f.cases.end(), [&](const Case& one) { return one.states[1].states == mask; });
-        if (same != f.cases.end()) {
-          same->states[0].states |= std::uint64_t{1} << s;
-        } else {
-          f.add().when(r.index, std::uint64_t{1} << s).when(t, mask);
-        }
-      }
-    }
-  }
-}
-
 }  // namespace
 
 void compile_LeftOf(Compilation& c) { beside_each(c, Side::kLeft); }
@@ -106,15 +60,15 @@ void compile_RightOf(Compilation& c) { beside_each(c, Side::kRight); }
 void compile_InFrontOf(Compilation& c) { beside_each(c, Side::kFront); }
 void compile_Behind(Compilation& c) { beside_each(c, Side::kBack); }
 
-void compile_NextTo(Compilation& c) { band_to_each(c, 0, c.length(c.relation.parameters.max, "max", 500), 100); }
+void compile_NextTo(Compilation& c) { band_to_each(c, 0, c.length(&RelationParameters::max), 100); }
 
 void compile_Near(Compilation& c) {
-  const Mm least = c.length(c.relation.parameters.min, "min", 500), most = c.length(c.relation.parameters.max, "max", 1500);
+  const Mm least = c.length(&RelationParameters::min), most = c.length(&RelationParameters::max);
   band_to_each(c, least, most, (least + most) / 2);
 }
 
 void compile_Far(Compilation& c) {
-  const Mm least = c.length(c.relation.parameters.min, "min", 4000);
+  const Mm least = c.length(&RelationParameters::min);
   band_to_each(c, least, std::nullopt, least);
 }
 
@@ -147,60 +101,8 @@ void compile_Touching(Compilation& c) {
   }
 }
 
-namespace {
-
-// Of a thing's own frame; none for the middles, and for edges that scenes may not name here.
-std::optional<Side> side_of(Edge edge) {
-  switch (edge) {
-    case Edge::kFront: return Side::kFront;
-    case Edge::kBack: return Side::kBack;
-    case Edge::kLeft: return Side::kLeft;
-    case Edge::kRight: return Side::kRight;
-    default: return std::nullopt;
-  }
-}
-
-}  // namespace
-
-void compile_EdgeAlign(Compilation& c) {
-  const Edge edge = c.relation.parameters.edge.value_or(Edge::kFront);
-  const std::optional<Side> side = side_of(edge);
-  for (const int t : c.targets) {
-    for (const int r : c.reference_items()) {
-      Formula& f = c.formula();
-      if (!side && edge != Edge::kCenter) continue;  // nothing has such an edge
-      for_each_turn(c.item(r), [&](int turn, std::uint64_t states) {
-        Case& in = f.add().when(r, states);
-        if (edge == Edge::kCenter) {
-          const int axis = side_direction(c.item(r), Side::kRight, turn).axis;
-          in.require_small(mid2(t, axis) - mid2(r, axis), 1);
-          return;
-        }
-        const Direction d = side_direction(c.item(r), *side, turn);
-        in.require_small(reach(t, d) - reach(r, d), 0);
-      });
-    }
-  }
-}
-
-void compile_Facing(Compilation& c) {
-  for (const int t : c.targets) {
-    const Side eyes = looking_side(c.model, t);
-    for (const Reference& r : c.references) {
-      Formula& f = c.formula();
-      if (r.kind == Reference::Kind::kItem) add_looks_at(f, c.model, t, r.index, eyes);
-      if (r.kind == Reference::Kind::kWall) add_looks_at_wall(f, c.model, t, c.model.walls[r.index], eyes);
-      const GridBox& room = c.model.room;
-      if (r.kind == Reference::Kind::kRoom) {
-        add_looks_at_point(f, c.model, t, {(room.lo[0] + room.hi[0]) / 2, (room.lo[1] + room.hi[1]) / 2}, eyes);
-      }
-      if (!c.item(t).entry->has_front) f.exact = false, f.outer.clear();  // its long side should look there and need not
-    }
-  }
-}
-
 void compile_Opposite(Compilation& c) {
-  const Mm least = c.length(c.relation.parameters.min, "min", 1500), most = c.length(c.relation.parameters.max, "max", 4000);
+  const Mm least = c.length(&RelationParameters::min), most = c.length(&RelationParameters::max);
   if (c.targets.size() > 1) {
     for (const Reference& r : c.references) {
       if (r.kind == Reference::Kind::kItem && !c.item(r.index).is_opening()) add_opposite_group(c, r.index, least, most);
@@ -225,10 +127,6 @@ void compile_Opposite(Compilation& c) {
     }
   }
 }
-
-void compile_Parallel(Compilation& c) { turned_each(c, 0, 180); }
-void compile_Perpendicular(Compilation& c) { turned_each(c, 90, 180); }
-void compile_SameOrientation(Compilation& c) { turned_each(c, 0, 360); }
 
 void compile_CenteredOn(Compilation& c) {
   for (const int t : c.targets) {
@@ -262,14 +160,14 @@ void compile_CenteredOn(Compilation& c) {
 }
 
 void compile_AtFootOf(Compilation& c) {
-  const Mm most = c.length(c.relation.parameters.max, "max", 500);
+  const Mm most = c.length(&RelationParameters::max);
   for (const int t : c.targets) {
     for (const int r : c.reference_items()) add_beside(c.formula(), c.model, t, r, Side::kFront, {.most = most, .wished_gap = 50});
   }
 }
 
 void compile_AtHeadOf(Compilation& c) {
-  const Mm most = c.length(c.relation.parameters.max, "max", 500);
+  const Mm most = c.length(&RelationParameters::max);
   for (const int r : c.reference_items()) {
     const Item& ref = c.item(r);
     const std::vector<Side> used = ref.object ? ref.object->used_sides.value_or(ref.entry->used_sides) : std::vector<Side>{};
@@ -309,7 +207,7 @@ void compile_AtHeadOf(Compilation& c) {
 void compile_AlongSide(Compilation& c) {
   for (const int t : c.targets) {
     for (const int r : c.reference_items()) {
-      along_side(c, t, r, c.relation.parameters.side.value_or(Side::kLong), c.length(c.relation.parameters.max, "max", 500));
+      along_side(c, t, r, or_default(c.relation, &RelationParameters::side), c.length(&RelationParameters::max));
     }
   }
 }

@@ -9,7 +9,7 @@ namespace {
 
 enum class Which { kLow, kMiddle, kHigh };
 
-Edge edge_meant(const Compilation& c) { return c.relation.parameters.edge.value_or(Edge::kCenter); }
+Edge edge_meant(const Compilation& c) { return or_default(c.relation, &RelationParameters::edge); }
 
 Which which_edge(Edge edge) {
   if (edge == Edge::kMin || edge == Edge::kLeft || edge == Edge::kFront || edge == Edge::kBottom) return Which::kLow;

@@ -56,7 +56,7 @@ void stand_in_slanted_corner(Formula& f, const Compilation& c, int t, const Room
 }  // namespace
 
 void compile_AgainstWall(Compilation& c) {
-  const Mm gap = c.length(c.relation.parameters.gap, "gap", 20);
+  const Mm gap = c.length(&RelationParameters::gap);
   for (const int t : c.targets) {
     Formula& f = c.formula();
     for (const int w : c.walls()) {
@@ -67,7 +67,7 @@ void compile_AgainstWall(Compilation& c) {
 }
 
 void compile_SideAgainstWall(Compilation& c) {
-  const Mm gap = c.length(c.relation.parameters.gap, "gap", 20);
+  const Mm gap = c.length(&RelationParameters::gap);
   const std::vector<Side> sides =
       c.relation.parameters.side ? std::vector{*c.relation.parameters.side} : std::vector{Side::kLeft, Side::kRight};
   for (const int t : c.targets) {
@@ -112,7 +112,7 @@ void stand_in_corner(Formula& f, const Compilation& c, int t, const RoomWall& a,
 }  // namespace
 
 void compile_Corner(Compilation& c) {
-  const Mm most = c.length(c.relation.parameters.max, "max", 500);
+  const Mm most = c.length(&RelationParameters::max);
   const int n = static_cast<int>(c.model.walls.size());
   std::vector<int> named;
   for (const Reference& r : c.references) {
@@ -136,7 +136,7 @@ void compile_Corner(Compilation& c) {
 }
 
 void compile_CenterOfRoom(Compilation& c) {
-  const Mm most = c.length(c.relation.parameters.max, "max", 50);
+  const Mm most = c.length(&RelationParameters::max);
   if (c.targets.size() == 1) {
     Case& in = c.formula().add();
     for (int axis = 0; axis < 2; ++axis) {
@@ -163,7 +163,7 @@ void compile_CenterOfRoom(Compilation& c) {
 }
 
 void compile_CenteredOnWall(Compilation& c) {
-  const Mm gap = c.length(c.relation.parameters.gap, "gap", 20);
+  const Mm gap = c.length(&RelationParameters::gap);
   Formula& f = c.formula();
   for (const int w : c.walls()) {
     const RoomWall& wall = c.model.walls[w];
@@ -246,7 +246,7 @@ void compile_OnCeiling(Compilation& c) {
 }
 
 void compile_AwayFromWall(Compilation& c) {
-  const Mm least = c.length(c.relation.parameters.min, "min", 500);
+  const Mm least = c.length(&RelationParameters::min);
   for (const int t : c.targets) {
     for (const int w : c.walls()) {
       const RoomWall& wall = c.model.walls[w];

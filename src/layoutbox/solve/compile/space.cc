@@ -1,4 +1,5 @@
 // Relations about free floor. What is linear is posted; what is not (a way to walk) is checked on each layout (walk.h).
+#include "layoutbox/scene/relation_traits.h"
 #include "layoutbox/solve/compile/phrases.h"
 
 namespace layoutbox::placement {
@@ -11,9 +12,7 @@ bool belongs_to(const PlacementModel& model, int other, int t) {
     return std::find(ids.begin(), ids.end(), id) != ids.end();
   };
   return std::any_of(model.scene->relations.begin(), model.scene->relations.end(), [&](const Relation& r) {
-    const bool brings = r.type == RelationType::kTuckedUnder || r.type == RelationType::kAround || r.type == RelationType::kSurround ||
-                        r.type == RelationType::kPairedWith;
-    return brings && has(r.targets, model.items[other].id) && has(r.references, model.items[t].id);
+    return traits_of(r.type).brings && has(r.targets, model.items[other].id) && has(r.references, model.items[t].id);
   });
 }
 
@@ -75,7 +74,7 @@ void add_free_floor(Compilation& c, int t, Side side, Mm depth, std::uint64_t in
 }  // namespace
 
 void compile_Clearance(Compilation& c) {
-  const Side named = c.relation.parameters.side.value_or(Side::kFront);
+  const Side named = or_default(c.relation, &RelationParameters::side);
   for (const int t : c.targets) {
     const Item& item = c.item(t);
     for (const Side side : {Side::kFront, Side::kBack, Side::kLeft, Side::kRight}) {
@@ -90,7 +89,7 @@ void compile_Clearance(Compilation& c) {
 
 // Not linear: looked at on each layout (cost.h).
 void compile_Reachable(Compilation& c) {
-  for (const int t : c.targets) c.out.reach.emplace_back(t, c.length(c.relation.parameters.width, "width", 600));
+  for (const int t : c.targets) c.out.reach.emplace_back(t, c.length(&RelationParameters::width));
 }
 
 void compile_KeepClear(Compilation& c) {

@@ -15,7 +15,7 @@ std::vector<int> Solver::assumptions_left() const {
   for (std::size_t c = 0; c < model_.constraints.size(); ++c) {
     const Constraint& constraint = model_.constraints[c];
     const bool demanded = constraint.firmness == Firmness::kHard || constraint.firmness == Firmness::kImplied;
-    if (demanded && !given_up_[c] && is_assumption(model_, constraint) && !(things_went && is_door_floor(static_cast<int>(c))))
+    if (demanded && !scope_.given_up[c] && is_assumption(model_, constraint) && !(things_went && is_door_floor(static_cast<int>(c))))
       left.push_back(static_cast<int>(c));
   }
   return left;
@@ -38,10 +38,10 @@ bool Solver::is_door_floor(int constraint) const {
 bool Solver::search_without_assumptions() {
   const std::vector<int> assumptions = assumptions_left();
   if (assumptions.empty()) return false;
-  std::vector<char> more = given_up_;
-  for (const int c : assumptions) more[static_cast<std::size_t>(c)] = 1;
+  Scope less = scope_;
+  for (const int c : assumptions) less.given_up[static_cast<std::size_t>(c)] = 1;
   const std::vector<int> failed = failed_;
-  const bool found = search(more);
+  const bool found = search(less);
   failed_ = failed;
   return found;
 }

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "layoutbox/solve/conflict/clash_words.h"
 #include "layoutbox/solve/conflict/conflict.h"
 #include "layoutbox/solve/conflict/fixed.h"
+#include "layoutbox/solve/conflict/floor_sum.h"
 #include "layoutbox/solve/model/items.h"
 
 namespace layoutbox::placement {
@@ -17,36 +17,11 @@ namespace {
 // The least an object can measure along its width or depth.
 Mm least_width(const Item& item) { return item.object->size->least.width; }
 
-// Objects that must stay out of a clash because they are elsewhere or hold others.
-bool stands_on_floor_always(const Item& item) {
-  return !item.is_opening() && !item.thin && item.supports.size() == 1 && item.supports[0].kind == SupportOption::Kind::kFloor;
-}
-
-std::int64_t least_floor(const Item& item) {
-  std::int64_t least = std::numeric_limits<std::int64_t>::max();
-  for (const State& state : item.states) {
-    std::int64_t covered = 0;  // what of the floor is body: a table's legs are little, but two tables never share their outline
-    covered = std::int64_t{state.size.width} * state.size.depth;
-    least = std::min(least, covered);
-  }
-  return least;
-}
-
-std::int64_t room_area(const PlacementModel& model) {
-  std::int64_t twice = 0;
-  const std::vector<Point>& polygon = model.scene->room.polygon;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Point &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    twice += std::int64_t{a.x} * b.y - std::int64_t{b.x} * a.y;
-  }
-  return (std::abs(twice) + 1) / 2;
-}
-
 // Relations without a single case: left of itself, in a thing that has no inside.
-void add_never(const PlacementModel& model, const std::vector<char>& given_up, std::vector<Clash>& out) {
+void add_never(const PlacementModel& model, const Scope& scope, std::vector<Clash>& out) {
   for (std::size_t c = 0; c < model.constraints.size(); ++c) {
     const Constraint& constraint = model.constraints[c];
-    if (constraint.relation < 0 || constraint.firmness != Firmness::kHard || given_up[c]) continue;
+    if (constraint.relation < 0 || constraint.firmness != Firmness::kHard || scope.gives_up(static_cast<int>(c))) continue;
     const auto never = [](const Formula& f) { return f.cases.empty() && f.exact; };
     if (std::none_of(constraint.formulas.begin(), constraint.formulas.end(), never)) continue;
     Clash clash;
@@ -56,10 +31,10 @@ void add_never(const PlacementModel& model, const std::vector<char>& given_up, s
   }
 }
 
-void add_too_large(const PlacementModel& model, const std::vector<char>& left_out, std::vector<Clash>& out) {
+void add_too_large(const PlacementModel& model, const Scope& scope, std::vector<Clash>& out) {
   for (std::size_t i = 0; i < model.items.size(); ++i) {
     const Item& item = model.items[i];
-    if (item.is_opening() || item.fixed || left_out[i]) continue;
+    if (item.is_opening() || item.fixed || scope.leaves_out(static_cast<int>(i))) continue;
     const auto fits = [&](const State& s) {
       return s.extent[0] <= model.room.extent(0) && s.extent[1] <= model.room.extent(1) && s.extent[2] <= model.room.extent(2);
     };
@@ -92,26 +67,25 @@ struct AtWall {
 };
 
 // The relation that puts its targets at that wall and no other; null: that constraint is another or given up.
-const Relation* puts_at_wall(const PlacementModel& model, std::size_t constraint, int wall, const std::vector<char>& given_up) {
-  const Constraint& one = model.constraints[constraint];
-  if (one.relation < 0 || one.firmness != Firmness::kHard || given_up[constraint]) return nullptr;
+const Relation* puts_at_wall(const PlacementModel& model, int constraint, int wall, const Scope& scope) {
+  const Constraint& one = model.constraints[static_cast<std::size_t>(constraint)];
+  if (one.relation < 0 || one.firmness != Firmness::kHard || scope.gives_up(constraint)) return nullptr;
   const Relation& relation = model.scene->relations[one.relation];
   const bool back = relation.type == RelationType::kAgainstWall || relation.type == RelationType::kCenteredOnWall;
   return back && relation.references.size() == 1 && model.find_wall(relation.references[0]) == wall ? &relation : nullptr;
 }
 
 // The widest first.
-std::vector<AtWall> things_at_wall(const PlacementModel& model, int wall, const std::vector<char>& given_up,
-                                   const std::vector<char>& left_out) {
+std::vector<AtWall> things_at_wall(const PlacementModel& model, int wall, const Scope& scope) {
   std::vector<AtWall> things;
-  for (std::size_t c = 0; c < model.constraints.size(); ++c) {
-    const Relation* relation = puts_at_wall(model, c, wall, given_up);
+  for (int c = 0; c < static_cast<int>(model.constraints.size()); ++c) {
+    const Relation* relation = puts_at_wall(model, c, wall, scope);
     if (relation == nullptr) continue;
     for (const std::string& id : relation->targets) {
       const int item = model.find_item(id);
-      if (item < 0 || left_out[item] || !stands_on_floor_always(model.items[item]) || !model.items[item].has_front) continue;
+      if (item < 0 || scope.leaves_out(item) || !covers_floor(model.items[item]) || !model.items[item].has_front) continue;
       const bool known = std::any_of(things.begin(), things.end(), [&](const AtWall& one) { return one.item == item; });
-      if (!known) things.push_back({item, static_cast<int>(c), least_width(model.items[item])});
+      if (!known) things.push_back({item, c, least_width(model.items[item])});
     }
   }
   std::stable_sort(things.begin(), things.end(), [](const AtWall& a, const AtWall& b) { return a.width > b.width; });
@@ -139,11 +113,10 @@ Clash too_wide(const PlacementModel& model, const RoomWall& wall, const std::vec
 }
 
 // Backs against one wall side by side: the widths add up.
-void add_too_wide(const PlacementModel& model, const std::vector<char>& given_up, const std::vector<char>& left_out,
-                  std::vector<Clash>& out) {
+void add_too_wide(const PlacementModel& model, const Scope& scope, std::vector<Clash>& out) {
   for (std::size_t w = 0; w < model.walls.size(); ++w) {
     const RoomWall& wall = model.walls[w];
-    std::vector<AtWall> things = things_at_wall(model, static_cast<int>(w), given_up, left_out);
+    std::vector<AtWall> things = things_at_wall(model, static_cast<int>(w), scope);
     const auto length = static_cast<Mm>(std::ceil(std::hypot(wall.end.x - wall.start.x, wall.end.y - wall.start.y)));
     std::int64_t sum = 0;
     std::size_t needed = 0;
@@ -152,21 +125,6 @@ void add_too_wide(const PlacementModel& model, const std::vector<char>& given_up
     things.resize(needed);
     out.push_back(too_wide(model, wall, things));
   }
-}
-
-// The door that wants the most free floor before it, which lies within the room wherever in its walls it is; −1: none.
-int widest_door(const PlacementModel& model, const std::vector<char>& given_up, std::int64_t& area) {
-  int widest = -1;
-  area = 0;
-  for (std::size_t i = 0; i < model.items.size(); ++i) {
-    const Item& item = model.items[i];
-    if (!item.is_opening() || item.opening->sill > 0 || item.states.empty() || given_up[item.clearance_constraint]) continue;
-    if (!model.outside.empty() || item.opening->type == OpeningType::kWindow) continue;
-    const std::int64_t clear = floor_area(item.states[0].clear[0]);
-    const bool fits = item.opening->width <= std::min(model.room.extent(0), model.room.extent(1));
-    if (fits && clear > area) area = clear, widest = static_cast<int>(i);
-  }
-  return widest;
 }
 
 // Of things that may stand under one another only the larger counts: what is left surely covers its outline alone.
@@ -179,18 +137,19 @@ void keep_apart(const PlacementModel& model, std::vector<std::pair<std::int64_t,
   areas = std::move(apart);
 }
 
-void add_too_much(const PlacementModel& model, const std::vector<char>& given_up, const std::vector<char>& left_out,
-                  std::vector<Clash>& out) {
+void add_too_much(const PlacementModel& model, const Scope& scope, std::vector<Clash>& out) {
   std::vector<std::pair<std::int64_t, int>> areas;
-  for (std::size_t i = 0; i < model.items.size(); ++i) {
-    const Item& item = model.items[i];
-    if (!left_out[i] && stands_on_floor_always(item) && !item.fixed) areas.push_back({least_floor(item), static_cast<int>(i)});
+  const FloorSum floor = floor_sum(model, scope);
+  for (const int i : floor.items) {
+    if (!model.items[i].fixed) areas.push_back({least_area(model.items[i]), i});
   }
   std::stable_sort(areas.begin(), areas.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   keep_apart(model, areas);
-  const std::int64_t room = room_area(model);
-  std::int64_t sum = 0, before_door = 0;
-  int door = widest_door(model, given_up, before_door);
+  const std::int64_t room = floor.room;
+  // In a rectangular room what is free before a door lies within the room wherever in its walls the door is.
+  const bool rectangular = model.outside.empty();
+  std::int64_t sum = 0, before_door = rectangular ? floor.before_door : 0;
+  int door = rectangular ? floor.door : -1;
   Clash clash;
   std::vector<int> items;
   const std::int64_t all =
@@ -218,12 +177,12 @@ void add_too_much(const PlacementModel& model, const std::vector<char>& given_up
 
 }  // namespace
 
-std::vector<Clash> clashes_by_sums(const PlacementModel& model, const std::vector<char>& given_up, const std::vector<char>& left_out) {
-  std::vector<Clash> out = clashes_of_fixed(model, left_out);
-  add_never(model, given_up, out);
-  add_too_large(model, left_out, out);
-  add_too_wide(model, given_up, left_out, out);
-  if (out.empty()) add_too_much(model, given_up, left_out, out);
+std::vector<Clash> clashes_by_sums(const PlacementModel& model, const Scope& scope) {
+  std::vector<Clash> out = clashes_of_fixed(model, scope);
+  add_never(model, scope, out);
+  add_too_large(model, scope, out);
+  add_too_wide(model, scope, out);
+  if (out.empty()) add_too_much(model, scope, out);
   return out;
 }
 

@@ -77,9 +77,7 @@ void replace(std::string& text, std::string_view what, const std::string& with) 
     text.replace(at, what.size(), with);
 }
 
-std::string parameter_in_words(const Compilation& c, std::string_view name, const std::optional<Mm>& given) {
-  return metres(c.length(given, name, 0));
-}
+std::string length_in_words(const Compilation& c, std::optional<Mm> RelationFigures::*parameter) { return metres(c.length(parameter)); }
 
 // "stands", "hangs" and "is" of one thing are "stand", "hang" and "are" of several.
 void make_plural(std::string& sentence) {
@@ -184,24 +182,24 @@ std::string relation_in_words(const PlacementModel& model, const Relation& relat
   if (targets.size() == 1) replace(text, "each of {targets}", "{targets}");
   replace(text, "{targets}", listed(targets));
   replace(text, "{references}", listed(references));
-  replace(text, "{distance}", parameter_in_words(c, "distance", p.distance));
-  replace(text, "{min}", parameter_in_words(c, "min", p.min));
+  replace(text, "{distance}", length_in_words(c, &RelationParameters::distance));
+  replace(text, "{min}", length_in_words(c, &RelationParameters::min));
   if (relation.type == RelationType::kDistance && !p.max) replace(text, " and {max}", " and any distance");
-  replace(text, "{max}", parameter_in_words(c, "max", p.max));
+  replace(text, "{max}", length_in_words(c, &RelationParameters::max));
   if (relation.type == RelationType::kClearance && !p.depth) replace(text, "{depth} of ", "");
-  replace(text, "{depth}", parameter_in_words(c, "depth", p.depth));
+  replace(text, "{depth}", length_in_words(c, &RelationParameters::depth));
   if (p.axis) replace(text, "{axis}", *p.axis == Axis::kX ? "x" : *p.axis == Axis::kY ? "y" : "z");
-  replace(text, "{side}", std::string(name_of(p.side.value_or(relation.type == RelationType::kAlongSide ? Side::kLong : Side::kFront))));
-  replace(text, "{edge}", std::string(name_of(p.edge.value_or(Edge::kFront))));
+  replace(text, "{side}", std::string(name_of(or_default(relation, &RelationParameters::side))));
+  replace(text, "{edge}", std::string(name_of(or_default(relation, &RelationParameters::edge))));
   if (p.region) replace(text, "{region}", std::string(name_of(*p.region)));
   if (!p.columns) replace(text, " of {columns} columns", "");
   replace(text, "{columns}", std::to_string(p.columns.value_or(0)));
   if (p.columns == 1) replace(text, "1 columns", "1 column");
   switch (relation.type) {  // words that stand for a figure
-    case RelationType::kFar: text += fmt::format(" (at least {})", parameter_in_words(c, "min", p.min)); break;
-    case RelationType::kNextTo: text += fmt::format(" (at most {} apart)", parameter_in_words(c, "max", p.max)); break;
+    case RelationType::kFar: text += fmt::format(" (at least {})", length_in_words(c, &RelationParameters::min)); break;
+    case RelationType::kNextTo: text += fmt::format(" (at most {} apart)", length_in_words(c, &RelationParameters::max)); break;
     case RelationType::kNear:
-      text += fmt::format(" ({} to {} apart)", parameter_in_words(c, "min", p.min), parameter_in_words(c, "max", p.max));
+      text += fmt::format(" ({} to {} apart)", length_in_words(c, &RelationParameters::min), length_in_words(c, &RelationParameters::max));
       break;
     default: break;
   }

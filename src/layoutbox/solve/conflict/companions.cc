@@ -82,13 +82,7 @@ Status Solver::leave_out_companions(std::vector<std::string> ids) {
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   if (ids.empty()) return {};
-  for (const std::string& id : ids) {
-    const int item = model_.find_item(id);
-    note_lost_by(item);
-    left_out_ids_.push_back(id);
-    reasons_.push_back(
-        {id, 0, "", object_in_words(model_, item) + " is left out: nobody asked for it, and no place was found where it is used"});
-  }
+  for (const std::string& id : ids) note_left_out(model_.find_item(id), "nobody asked for it, and no place was found where it is used");
   return rebuild();
 }
 
@@ -104,12 +98,7 @@ std::vector<int> Solver::companions() const {
 Result<bool> Solver::companions_make_way() {
   if (made_way_ || companions().empty()) return false;
   made_way_ = true;
-  for (const int item : companions()) {
-    note_lost_by(item);
-    left_out_ids_.push_back(model_.items[static_cast<std::size_t>(item)].id);
-    reasons_.push_back({left_out_ids_.back(), 0, "",
-                        object_in_words(model_, item) + " is left out: nobody asked for it, and what was asked for leaves no room for it"});
-  }
+  for (const int item : companions()) note_left_out(item, "nobody asked for it, and what was asked for leaves no room for it");
   LAYOUTBOX_CHECK(rebuild());
   return true;
 }
@@ -132,10 +121,7 @@ bool Solver::companions_are_in_the_way() {
 void Solver::leave_out_the_lonely() {
   for (const std::string& id : companions_left_alone(asked_, catalog_, left_out_ids_)) {
     const int item = model_.find_item(id);
-    if (item < 0 || !is_companion(item)) continue;
-    note_lost_by(item);
-    left_out_ids_.push_back(id);
-    reasons_.push_back({id, 0, "", object_in_words(model_, item) + " is left out: so is what it came with"});
+    if (item >= 0 && is_companion(item)) note_left_out(item, "so is what it came with");
   }
 }
 

@@ -191,10 +191,9 @@ std::vector<std::size_t> those_of(const Encoding& encoding, const std::vector<De
 }
 
 // Do these demands clash in what is surely needed, too? Then a smallest clash among them; nothing where they do not or nobody knows.
-Result<std::optional<Clash>> prove(const PlacementModel& model, const CpSatLibrary& library, const std::vector<char>& given_up,
-                                   const std::vector<Demand>& demands, const std::vector<char>& left_out, const ProofLimits& limits,
-                                   double& used) {
-  Encoding encoding(model, given_up, left_out, Purpose::kProving);
+Result<std::optional<Clash>> prove(const PlacementModel& model, const CpSatLibrary& library, const Scope& scope,
+                                   const std::vector<Demand>& demands, const ProofLimits& limits, double& used) {
+  Encoding encoding(model, scope, Purpose::kProving);
   std::vector<char> mask(encoding.demands().size(), 0);
   const std::vector<std::size_t> all = those_of(encoding, demands);
   for (const std::size_t d : all) mask[d] = 1;
@@ -210,13 +209,13 @@ Result<std::optional<Clash>> prove(const PlacementModel& model, const CpSatLibra
 constexpr std::size_t kMostForWholeProof = 12;  // items
 
 // About how many terms the constraints and the pairs of bodies make in CP-SAT's model, which takes a quarter of a kilobyte for each.
-std::int64_t terms_of(const PlacementModel& model, const std::vector<char>& given_up, const std::vector<char>& left_out) {
+std::int64_t terms_of(const PlacementModel& model, const Scope& scope) {
   constexpr std::int64_t kSidesOfBody = 6;
   std::int64_t terms = 0;
   for (std::size_t c = 0; c < model.constraints.size(); ++c) {
-    if (given_up[c] || model.constraints[c].firmness == Firmness::kSoft) continue;
+    if (scope.gives_up(static_cast<int>(c)) || model.constraints[c].firmness == Firmness::kSoft) continue;
     for (const Formula& formula : model.constraints[c].formulas) {
-      const auto out = [&](int item) { return left_out[static_cast<std::size_t>(item)] != 0; };
+      const auto out = [&](int item) { return scope.leaves_out(item); };
       if (std::any_of(formula.items.begin(), formula.items.end(), out)) continue;
       for (const Case& one : formula.cases) {
         for (const Linear& form : one.at_least_zero) terms += static_cast<std::int64_t>(form.terms.size());
@@ -226,7 +225,7 @@ std::int64_t terms_of(const PlacementModel& model, const std::vector<char>& give
   for (std::size_t a = 0; a < model.items.size(); ++a) {
     for (std::size_t b = a + 1; b < model.items.size(); ++b) {
       const PairRule rule = model.pair(static_cast<int>(a), static_cast<int>(b));
-      if (left_out[a] || left_out[b] || rule == PairRule::kFree) continue;
+      if (scope.leaves_out(static_cast<int>(a)) || scope.leaves_out(static_cast<int>(b)) || rule == PairRule::kFree) continue;
       const Item &x = model.items[a], &y = model.items[b];
       if (x.states.empty() || y.states.empty()) continue;
       const auto states = static_cast<std::int64_t>(x.states.size() + y.states.size());
@@ -239,10 +238,10 @@ std::int64_t terms_of(const PlacementModel& model, const std::vector<char>& give
 
 }  // namespace
 
-Result<Proof> decide(const PlacementModel& model, const CpSatLibrary& library, const std::vector<char>& given_up,
-                     const std::vector<char>& left_out, const Placements& hint, const ProofLimits& limits) {
-  if (terms_of(model, given_up, left_out) > kMostTerms) return Proof{};  // nothing known
-  Encoding encoding(model, given_up, left_out);
+Result<Proof> decide(const PlacementModel& model, const CpSatLibrary& library, const Scope& scope, const Placements& hint,
+                     const ProofLimits& limits) {
+  if (terms_of(model, scope) > kMostTerms) return Proof{};  // nothing known
+  Encoding encoding(model, scope);
   encoding.hint(hint);
   LAYOUTBOX_ASSIGN(const CpAnswer answer, ask(encoding, library, std::vector<char>(encoding.demands().size(), 1), limits));
   Proof proof;
@@ -263,9 +262,9 @@ Result<Proof> decide(const PlacementModel& model, const CpSatLibrary& library, c
   ProofLimits rest = limits;
   rest.deterministic_time = std::max(kLeastForSmallest, limits.deterministic_time - proof.deterministic_time);
   LAYOUTBOX_ASSIGN(std::optional<Clash> proven,
-                   prove(model, library, given_up, demands, outside_of(model, encoding, core), rest, proof.deterministic_time));
+                   prove(model, library, {scope.given_up, outside_of(model, encoding, core)}, demands, rest, proof.deterministic_time));
   if (!proven && model.items.size() <= kMostForWholeProof) {
-    LAYOUTBOX_ASSIGN(proven, prove(model, library, given_up, encoding.demands(), left_out, rest, proof.deterministic_time));
+    LAYOUTBOX_ASSIGN(proven, prove(model, library, scope, encoding.demands(), rest, proof.deterministic_time));
   }
   if (proven) {
     proof.clash = *std::move(proven);

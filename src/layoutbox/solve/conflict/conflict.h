@@ -35,12 +35,12 @@ struct Proof {
 };
 
 // Finds a layout or proves that there is none. `hint`: where the search had things (states of −1: nowhere).
-Result<Proof> decide(const PlacementModel& model, const CpSatLibrary& library, const std::vector<char>& given_up,
-                     const std::vector<char>& left_out, const Placements& hint, const ProofLimits& limits);
+Result<Proof> decide(const PlacementModel& model, const CpSatLibrary& library, const Scope& scope, const Placements& hint,
+                     const ProofLimits& limits);
 
 // Sums that show at once that something cannot be: an object larger than the room, more width at a wall than it has, more floor
-// covered than there is. Without what is given up or left out.
-std::vector<Clash> clashes_by_sums(const PlacementModel& model, const std::vector<char>& given_up, const std::vector<char>& left_out);
+// covered than there is.
+std::vector<Clash> clashes_by_sums(const PlacementModel& model, const Scope& scope);
 
 // One English sentence with numbers.
 std::string describe_clash(const PlacementModel& model, const Clash& clash);

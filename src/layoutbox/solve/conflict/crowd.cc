@@ -9,13 +9,9 @@ constexpr std::size_t kMostInCrowd = 12;
 constexpr std::int64_t kStepsForRest = 20'000;
 constexpr double kProofOfCrowd = 0.3;  // CP-SAT's deterministic time
 
-// What is asked for where the demands of a clash are all there is.
-struct Alone {
-  std::vector<char> given_up, left_out;
-};
-
-Alone alone(const PlacementModel& model, const Clash& clash) {
-  Alone only{std::vector<char>(model.constraints.size(), 0), std::vector<char>(model.items.size(), 1)};
+// The demands of a clash are all there is.
+Scope alone(const PlacementModel& model, const Clash& clash) {
+  Scope only{std::vector<char>(model.constraints.size(), 0), std::vector<char>(model.items.size(), 1)};
   for (std::size_t c = 0; c < only.given_up.size(); ++c) {
     const Firmness firmness = model.constraints[c].firmness;
     only.given_up[c] = static_cast<char>(firmness == Firmness::kHard || firmness == Firmness::kImplied);
@@ -32,9 +28,9 @@ Alone alone(const PlacementModel& model, const Clash& clash) {
 // Is there a place for all but any one of them?
 bool Solver::each_is_needed(const Clash& clash) {
   const Dependencies dependencies(model_);
-  const Alone all = alone(model_, clash);
+  const Scope all = alone(model_, clash);
   return std::all_of(clash.demands.begin(), clash.demands.end(), [&](const Demand& demand) {
-    Alone rest = all;
+    Scope rest = all;
     const auto index = static_cast<std::size_t>(demand.index);
     (demand.kind == Demand::Kind::kItem ? rest.left_out : rest.given_up)[index] = 1;
     // Without the door there is no floor to be free before it.
@@ -42,7 +38,7 @@ bool Solver::each_is_needed(const Clash& clash) {
       rest.given_up[static_cast<std::size_t>(model_.items[index].clearance_constraint)] = 1;
     Placements placements(model_.items.size());
     Budget budget = part(kStepsForRest);
-    return QuickSearch(model_, dependencies, rest.given_up, options_.seed, kAllSizes).complete(placements, rest.left_out, budget);
+    return QuickSearch(model_, dependencies, rest, options_.seed, kAllSizes).complete(placements, budget);
   });
 }
 
@@ -53,8 +49,8 @@ Result<Clash> Solver::smallest_crowd(Clash clash) {
     clash.minimal = true;
     return clash;
   }
-  const Alone only = alone(model_, clash);
-  LAYOUTBOX_ASSIGN(const Proof proof, ask(only.given_up, only.left_out, Placements(model_.items.size()), kProofOfCrowd));
+  const Scope only = alone(model_, clash);
+  LAYOUTBOX_ASSIGN(const Proof proof, ask(only, Placements(model_.items.size()), kProofOfCrowd));
   const bool smaller = proof.outcome == Proof::Outcome::kClash && proof.clash.proven && proof.clash.minimal;
   return smaller ? proof.clash : clash;
 }

@@ -46,13 +46,13 @@ bool hangs_in_the_air(const PlacementModel& model, int item, const Placements& p
 
 }  // namespace
 
-std::vector<Clash> clashes_of_fixed(const PlacementModel& model, const std::vector<char>& left_out) {
+std::vector<Clash> clashes_of_fixed(const PlacementModel& model, const Scope& scope) {
   std::vector<Clash> out;
   std::vector<int> fixed;
   Placements placements(model.items.size());
   for (std::size_t i = 0; i < model.items.size(); ++i) {
     const Item& item = model.items[i];
-    if (!item.fixed || item.is_opening() || left_out[i]) continue;
+    if (!item.fixed || item.is_opening() || scope.leaves_out(static_cast<int>(i))) continue;
     placements[i] = {0, item.fixed_at};
     fixed.push_back(static_cast<int>(i));
   }

@@ -8,6 +8,6 @@
 namespace layoutbox::placement {
 
 // Fixed things that reach out of the room, overlap one another, or hang in the air. Nothing that a search could settle.
-std::vector<Clash> clashes_of_fixed(const PlacementModel& model, const std::vector<char>& left_out);
+std::vector<Clash> clashes_of_fixed(const PlacementModel& model, const Scope& scope);
 
 }  // namespace layoutbox::placement

@@ -66,8 +66,8 @@ bool Solver::search_from_elsewhere() {
     const int sizes = start % 2 == 0 || !any_other_size() ? 0 : kAllSizes;
     Budget budget = part(kFirstSteps);
     placements_.assign(model_.items.size(), {});
-    QuickSearch quick(model_, dependencies, given_up_, options_.seed + kSeedStep * static_cast<std::uint64_t>(start), sizes);
-    if (!quick.complete(placements_, left_out_, budget)) continue;
+    QuickSearch quick(model_, dependencies, scope_, options_.seed + kSeedStep * static_cast<std::uint64_t>(start), sizes);
+    if (!quick.complete(placements_, budget)) continue;
     size_limit_ = sizes;
     return true;
   }
@@ -79,16 +79,16 @@ bool Solver::search_from_elsewhere() {
 // up, in one go.
 Result<bool> Solver::settle() {
   PlacementModel trial = model_;
-  const std::vector<char> given_up = all_wished(trial);
+  const Scope scope = all_wished(trial);
   Budget budget = part(4 * kLeastSteps);
-  Search search(trial, given_up, options_.seed, kAllSizes);
-  if (!search.construct(left_out_, kRestarts, budget)) return false;
+  Search search(trial, scope, options_.seed, kAllSizes);
+  if (!search.construct(kRestarts, budget)) return false;
   budget.limit = budget.steps + 2 * kLeastSteps;
   search.improve(budget, kPatience);
   placements_ = search.placements();
   std::vector<int> missed;
   for (std::size_t c = 0; c < trial.constraints.size(); ++c) {
-    const bool asked = model_.constraints[c].firmness == Firmness::kHard && !given_up_[c];
+    const bool asked = model_.constraints[c].firmness == Firmness::kHard && !scope_.given_up[c];
     if (asked && miss_of(trial, trial.constraints[c], placements_) != 0) missed.push_back(static_cast<int>(c));
   }
   keep_what_can_be(missed);
@@ -108,21 +108,21 @@ Result<bool> Solver::settle() {
 
 // Of what a layout misses, the weightiest first: is there another that holds it beside all that is held so far?
 void Solver::keep_what_can_be(std::vector<int>& missed) {
-  std::vector<char> given_up = given_up_;
-  for (const int c : missed) given_up[static_cast<std::size_t>(c)] = 1;
+  Scope scope = scope_;
+  for (const int c : missed) scope.given_up[static_cast<std::size_t>(c)] = 1;
   const auto price = [&](int c) { return price_of(model_, {Demand::Kind::kConstraint, c}); };
   std::stable_sort(missed.begin(), missed.end(), [&](int a, int b) { return price(a) > price(b); });
   const Dependencies dependencies(model_);
   int tries = 0;
   std::erase_if(missed, [&](int c) {
     if (++tries > kMostKept || enough()) return false;
-    given_up[static_cast<std::size_t>(c)] = 0;
-    QuickSearch quick(model_, dependencies, given_up, options_.seed, kAllSizes);
+    scope.given_up[static_cast<std::size_t>(c)] = 0;
+    QuickSearch quick(model_, dependencies, scope, options_.seed, kAllSizes);
     Budget budget = part(kLeastSteps);
     Placements other(model_.items.size());
-    const bool found = quick.complete(other, left_out_, budget);
+    const bool found = quick.complete(other, budget);
     if (found) placements_ = other;
-    if (!found) given_up[static_cast<std::size_t>(c)] = 1;
+    if (!found) scope.given_up[static_cast<std::size_t>(c)] = 1;
     return found;
   });
   std::sort(missed.begin(), missed.end());
@@ -130,7 +130,7 @@ void Solver::keep_what_can_be(std::vector<int>& missed) {
 
 bool Solver::demands_left(Firmness firmness) const {
   for (std::size_t c = 0; c < model_.constraints.size(); ++c) {
-    if (model_.constraints[c].firmness == firmness && !given_up_[c]) return true;
+    if (model_.constraints[c].firmness == firmness && !scope_.given_up[c]) return true;
   }
   return false;
 }
@@ -138,10 +138,10 @@ bool Solver::demands_left(Firmness firmness) const {
 // Is there a layout when all demands of that firmness are given up?
 bool Solver::search_without(Firmness firmness) {
   if (!demands_left(firmness)) return false;
-  std::vector<char> more = given_up_;
-  for (std::size_t c = 0; c < model_.constraints.size(); ++c) more[c] |= model_.constraints[c].firmness == firmness;
+  Scope less = scope_;
+  for (std::size_t c = 0; c < model_.constraints.size(); ++c) less.given_up[c] |= model_.constraints[c].firmness == firmness;
   const std::vector<int> failed = failed_;
-  const bool found = search(more);
+  const bool found = search(less);
   failed_ = failed;
   return found;
 }
@@ -152,7 +152,7 @@ Clash Solver::guess() const {
   clash.proven = clash.minimal = false;
   const auto asks = [&](int item) {
     for (const int c : model_.touching[item]) {
-      if (model_.constraints[c].firmness == Firmness::kHard && !given_up_[c]) clash.demands.push_back({Demand::Kind::kConstraint, c});
+      if (model_.constraints[c].firmness == Firmness::kHard && !scope_.given_up[c]) clash.demands.push_back({Demand::Kind::kConstraint, c});
     }
   };
   int item = -1;
@@ -173,11 +173,11 @@ std::int64_t Solver::miss_without(int constraint) {
   PlacementModel trial = model_;
   trial.constraints[constraint].firmness = Firmness::kSoft;
   trial.constraints[constraint].weight *= kStillWished;
-  std::vector<char> given_up = given_up_;
-  given_up[constraint] = 1;
-  Search search(trial, given_up, options_.seed, size_limit_);
+  Scope scope = scope_;
+  scope.given_up[constraint] = 1;
+  Search search(trial, scope, options_.seed, size_limit_);
   Budget budget = part(kLeastSteps);
-  if (!search.construct(left_out_, 2, budget)) return 1 << 30;
+  if (!search.construct(2, budget)) return 1 << 30;
   budget.limit = budget.steps + kLeastSteps / 2;
   search.improve(budget, kPatience);
   return miss_of(trial, trial.constraints[constraint], search.placements());
@@ -248,10 +248,11 @@ Status Solver::give_up(const Clash& clash) {
   return {};
 }
 
-std::vector<char> Solver::given_up_in(const PlacementModel& model) const {
-  std::vector<char> mask(model.constraints.size(), 0);
-  for (std::size_t c = 0; c < mask.size(); ++c) mask[c] = is_relaxed(model.constraints[c].name);
-  return mask;
+// All of another model but what is relaxed in this one.
+Scope Solver::scope_in(const PlacementModel& model) const {
+  Scope scope;
+  for (const Constraint& constraint : model.constraints) scope.given_up.push_back(static_cast<char>(is_relaxed(constraint.name)));
+  return scope;
 }
 
 // Given up, but still wished for.
@@ -259,8 +260,8 @@ void Solver::soften(const std::string& name) {
   for (std::size_t c = 0; c < model_.constraints.size(); ++c) {
     Constraint& constraint = model_.constraints[c];
     const bool demanded = constraint.firmness == Firmness::kHard || constraint.firmness == Firmness::kImplied;
-    if (constraint.name != name || !demanded || given_up_[c]) continue;
-    given_up_[c] = 1;
+    if (constraint.name != name || !demanded || scope_.given_up[c]) continue;
+    scope_.given_up[c] = 1;
     if (constraint.firmness != Firmness::kHard) continue;
     constraint.firmness = Firmness::kSoft;
     constraint.weight *= kStillWished;

@@ -31,17 +31,16 @@ std::vector<char> all_beside(const PlacementModel& model, const Constraint& cons
 
 // True: it was given up.
 Result<bool> Solver::give_up_impossible(int constraint, const Dependencies& dependencies) {
-  const std::vector<char> left_out = all_beside(model_, model_.constraints[static_cast<std::size_t>(constraint)]);
-  std::vector<char> given_up = given_up_;
-  for (std::size_t c = 0; c < given_up.size(); ++c) {
+  Scope alone{scope_.given_up, all_beside(model_, model_.constraints[static_cast<std::size_t>(constraint)])};
+  for (std::size_t c = 0; c < alone.given_up.size(); ++c) {
     const Firmness firmness = model_.constraints[c].firmness;
     const bool other = static_cast<int>(c) != constraint && (firmness == Firmness::kHard || firmness == Firmness::kImplied);
-    given_up[c] = static_cast<char>(given_up[c] || other);
+    alone.given_up[c] = static_cast<char>(alone.given_up[c] || other);
   }
   Placements placements(model_.items.size());
   Budget budget = part(kStepsAlone);
-  if (QuickSearch(model_, dependencies, given_up, options_.seed, kAllSizes).complete(placements, left_out, budget)) return false;
-  LAYOUTBOX_ASSIGN(const Proof proof, ask(given_up, left_out, placements, kProofAlone));
+  if (QuickSearch(model_, dependencies, alone, options_.seed, kAllSizes).complete(placements, budget)) return false;
+  LAYOUTBOX_ASSIGN(const Proof proof, ask(alone, placements, kProofAlone));
   if (proof.outcome != Proof::Outcome::kClash || !proof.clash.proven) return false;
   LAYOUTBOX_CHECK(give_up(proof.clash));
   return true;
@@ -52,7 +51,7 @@ Result<bool> Solver::give_up_impossible() {
   const Dependencies dependencies(model_);
   for (std::size_t c = 0; c < model_.constraints.size() && !enough(); ++c) {
     const Constraint& constraint = model_.constraints[c];
-    if (constraint.firmness != Firmness::kHard || constraint.relation < 0 || given_up_[c]) continue;
+    if (constraint.firmness != Firmness::kHard || constraint.relation < 0 || scope_.given_up[c]) continue;
     if (!looked_at_alone_.insert(constraint.name).second) continue;
     LAYOUTBOX_ASSIGN(const bool given_up, give_up_impossible(static_cast<int>(c), dependencies));
     if (given_up) return true;

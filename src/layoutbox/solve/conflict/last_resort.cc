@@ -45,21 +45,21 @@ void Solver::drop_what_hangs_in_the_air() {
 }
 
 // Without its door there is no room: where one found no place, doors and windows take theirs first, and what then overlaps goes.
-void Solver::place_openings_first(const PlacementModel& trial, const std::vector<char>& given_up) {
-  std::vector<char> objects = left_out_;
+void Solver::place_openings_first(const PlacementModel& trial, const Scope& scope) {
+  Scope openings = scope;
   bool all = true;
   for (std::size_t i = 0; i < trial.items.size(); ++i) {
     if (trial.items[i].is_opening())
       all = all && placements_[i].state >= 0;
     else
-      objects[i] = 1;
+      openings.left_out[i] = 1;
   }
   if (all) return;
   Placements now(trial.items.size());
   const Dependencies dependencies(trial);
-  QuickSearch quick(trial, dependencies, given_up, options_.seed, kAllSizes);
+  QuickSearch quick(trial, dependencies, openings, options_.seed, kAllSizes);
   Budget budget{0, kLeastSteps, [this] { return interrupted(); }, false};  // few things: no look at the clock, or there were no room
-  quick.complete(now, objects, budget);
+  quick.complete(now, budget);
   for (std::size_t i = 0; i < trial.items.size(); ++i) {
     if (trial.items[i].is_opening() || placements_[i].state < 0) continue;
     bool free = true;
@@ -73,26 +73,25 @@ void Solver::place_openings_first(const PlacementModel& trial, const std::vector
 }
 
 // Everything where it goes, as far as it goes; what finds no place has none.
-void Solver::place_what_fits(const PlacementModel& trial, const std::vector<char>& given_up, const std::vector<char>& left_out,
-                             std::uint64_t seed, double until) {
-  Search search(trial, given_up, seed, kAllSizes);
+void Solver::place_what_fits(const PlacementModel& trial, const Scope& scope, std::uint64_t seed, double until) {
+  Search search(trial, scope, seed, kAllSizes);
   Budget budget{0, kLeastSteps, [this, until] { return interrupted() || seconds() > until; }, false};
-  const bool all = search.construct(left_out, 0, budget);
+  const bool all = search.construct(0, budget);
   placements_ = search.placements();
   if (!all && !interrupted()) {  // the rest without a look at what is wished for: these steps are few
     const double moment = seconds() + kGrace;
     const Dependencies dependencies(trial);
-    QuickSearch quick(trial, dependencies, given_up, seed, kAllSizes);
+    QuickSearch quick(trial, dependencies, scope, seed, kAllSizes);
     Budget more{0, kLeastSteps, [this, moment] { return interrupted() || seconds() > moment; }, false};
-    quick.complete(placements_, left_out, more);
+    quick.complete(placements_, more);
   }
   if (interrupted()) return;
-  place_openings_first(trial, given_up);
+  place_openings_first(trial, scope);
   drop_what_hangs_in_the_air();
 }
 
 // With what was asked for in its place: as many companions as fit beside it without any of that going.
-void Solver::let_companions_in(const PlacementModel& trial, const std::vector<char>& given_up) {
+void Solver::let_companions_in(const PlacementModel& trial, const Scope& scope) {
   const auto placed = [&](const Placements& placements) {
     std::ptrdiff_t count = 0;
     for (std::size_t i = 0; i < placements.size(); ++i) count += placements[i].state >= 0 && !is_companion(static_cast<int>(i));
@@ -100,9 +99,9 @@ void Solver::let_companions_in(const PlacementModel& trial, const std::vector<ch
   };
   const Placements without = placements_;
   const Dependencies dependencies(trial);
-  QuickSearch quick(trial, dependencies, given_up, options_.seed, kAllSizes);
+  QuickSearch quick(trial, dependencies, scope, options_.seed, kAllSizes);
   Budget budget{0, kLeastSteps, [this] { return must_stop(); }, false};
-  quick.complete(placements_, left_out_, budget);
+  quick.complete(placements_, budget);
   drop_what_hangs_in_the_air();
   if (placed(placements_) < placed(without)) placements_ = without;
   std::vector<std::string> gone = left_out_ids_;
@@ -121,24 +120,24 @@ Status Solver::take_what_fits() {
   constexpr int kTries = 6;  // from unlike starts: with which most finds a place
   const bool late = stopped_by_clock_;
   PlacementModel trial = model_;
-  const std::vector<char> given_up = all_wished(trial);
+  const Scope whole = all_wished(trial);
   const double until = late ? seconds() + kGrace : options_.time_limit_s + kGrace;
   const Placements before = placements_;
-  std::vector<char> left_out = left_out_;
-  for (const int item : companions()) left_out[static_cast<std::size_t>(item)] = 1;
-  const std::ptrdiff_t all = std::ranges::count(left_out, 0);
+  Scope first = whole;  // companions wait
+  for (const int item : companions()) first.left_out[static_cast<std::size_t>(item)] = 1;
+  const std::ptrdiff_t all = std::ranges::count(first.left_out, 0);
   Placements best;
   std::ptrdiff_t most = -1;
   for (int t = 0; t < (late ? 1 : kTries) && (best.empty() || seconds() < options_.time_limit_s); ++t) {
     placements_ = before;
-    place_what_fits(trial, given_up, left_out, options_.seed + static_cast<std::uint64_t>(t), until);
+    place_what_fits(trial, first, options_.seed + static_cast<std::uint64_t>(t), until);
     if (interrupted()) return fail(ErrorCode::kInterrupted, "stopped");
     const auto placed = std::ranges::count_if(placements_, [](const Placement& p) { return p.state >= 0; });
     if (placed > most) most = placed, best = placements_;
     if (placed == all) break;
   }
   placements_ = std::move(best);
-  if (left_out != left_out_) let_companions_in(trial, given_up);
+  if (first.left_out != whole.left_out) let_companions_in(trial, whole);
   return note_what_is_missing();
 }
 
@@ -146,7 +145,7 @@ Status Solver::take_what_fits() {
 Status Solver::note_what_is_missing() {
   std::vector<int> gone;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    if (placements_[i].state >= 0 || left_out_[i]) continue;
+    if (placements_[i].state >= 0 || scope_.left_out[i]) continue;
     if (model_.items[i].is_opening())
       return fail(ErrorCode::kNotFound, "no place was found for " + object_in_words(model_, static_cast<int>(i)));
     gone.push_back(static_cast<int>(i));
@@ -160,7 +159,7 @@ Status Solver::note_what_is_missing() {
   clash.sentence = too_little_floor(dear).value_or(because);
   bool asked = false;
   for (const int item : gone) {
-    left_out_[static_cast<std::size_t>(item)] = 1;
+    scope_.left_out[static_cast<std::size_t>(item)] = 1;
     asked = asked || is_asked(item);
     if (!is_companion(item)) clash.demands.push_back({Demand::Kind::kItem, item});
     reasons_.push_back(
@@ -169,7 +168,7 @@ Status Solver::note_what_is_missing() {
   std::vector<std::string> missed;
   for (std::size_t c = 0; c < model_.constraints.size(); ++c) {
     const Constraint& constraint = model_.constraints[c];
-    if (constraint.firmness != Firmness::kHard || given_up_[c]) continue;
+    if (constraint.firmness != Firmness::kHard || scope_.given_up[c]) continue;
     if (all_placed(constraint, placements_) && miss_of(model_, constraint, placements_) == 0) continue;
     missed.push_back(constraint.name);
     asked = asked || !is_assumption(model_, constraint);
@@ -184,16 +183,16 @@ Status Solver::note_what_is_missing() {
 }
 
 // What is hard becomes a wish of the model; what need not hold in it.
-std::vector<char> Solver::all_wished(PlacementModel& trial) const {
-  std::vector<char> given_up = given_up_;
+Scope Solver::all_wished(PlacementModel& trial) const {
+  Scope scope = scope_;
   for (std::size_t c = 0; c < trial.constraints.size(); ++c) {
     Constraint& constraint = trial.constraints[c];
-    if (constraint.firmness != Firmness::kHard || given_up[c]) continue;
+    if (constraint.firmness != Firmness::kHard || scope.given_up[c]) continue;
     constraint.firmness = Firmness::kSoft;
     constraint.weight *= kStillWished;
-    given_up[c] = 1;
+    scope.given_up[c] = 1;
   }
-  return given_up;
+  return scope;
 }
 
 }  // namespace layoutbox::placement

@@ -15,10 +15,9 @@ std::size_t Solver::unplaced_without(const std::vector<std::string>& ids) {
   const LessScene less = without_objects(scene(), ids);
   const Result<PlacementModel> model = build_model(less.scene, catalog_, guides());
   if (!model) return asked_.objects.size();
-  Search search(*model, given_up_in(*model), options_.seed, kAllSizes);
+  Search search(*model, scope_in(*model), options_.seed, kAllSizes);
   Budget budget = part(budgets_.trial);
-  return search.construct(std::vector<char>(model->items.size(), 0), kRestarts, budget) ? 0
-                                                                                        : std::max<std::size_t>(1, search.failed().size());
+  return search.construct(kRestarts, budget) ? 0 : std::max<std::size_t>(1, search.failed().size());
 }
 
 // Leaves out the object (one of the items, of all where none are named) without which everything else finds a place; where one is not
@@ -37,7 +36,7 @@ Status Solver::leave_out_least(std::vector<int> items, const Clash* clash) {
   }
   if (clash == nullptr) {
     found.proven = found.minimal = false;
-    found.sentence = too_much_in_words(model_);
+    found.sentence = too_much_in_words(model_, scope_);
   }
   if (options_.on_conflict != OnConflict::kRelax) {  // no layout comes of it: which one goes only shows whether there are other conflicts
     LAYOUTBOX_ASSIGN(const bool relaxing, note_conflict(found, items.empty() || is_asked(items.front())));
@@ -65,7 +64,7 @@ std::vector<std::string> Solver::may_be_brought_back() const {
       if (object.origin == Origin::kAdded && std::erase(asked, object.id) > 0) added.push_back(object.id);
     }
     for (std::size_t c = 0; c < model_.constraints.size(); ++c) {
-      if (given_up_[c] && is_door_floor(static_cast<int>(c))) added.clear();
+      if (scope_.given_up[c] && is_door_floor(static_cast<int>(c))) added.clear();
     }
   }
   // Where one went after the other there was no layout without the last: that is why it went.
@@ -91,9 +90,9 @@ Result<bool> Solver::bring_back() {
     const LessScene less = without_objects(asked_, fewer);
     const Result<PlacementModel> model = build_model(less.scene, catalog_, guides());
     if (!model) continue;
-    Search search(*model, given_up_in(*model), options_.seed, kAllSizes);
+    Search search(*model, scope_in(*model), options_.seed, kAllSizes);
     Budget budget = part(budgets_.trial);
-    if (!search.construct(std::vector<char>(model->items.size(), 0), kRestarts, budget)) continue;
+    if (!search.construct(kRestarts, budget)) continue;
     in_vain[object.category] = 0;
     left_out_ids_ = std::move(fewer);
     std::erase_if(reasons_, [&](const Relaxation& r) { return r.relation == back; });
@@ -113,11 +112,16 @@ void Solver::note_lost_by(int item) {
   }
 }
 
-// The object goes; relations keep whom they still have.
-Status Solver::leave_out(int item, const std::string& why) {
+// It goes with the next rebuild().
+void Solver::note_left_out(int item, const std::string& why) {
   note_lost_by(item);
   left_out_ids_.push_back(model_.items[item].id);
   reasons_.push_back({model_.items[item].id, 0, "", object_in_words(model_, item) + " is left out: " + why});
+}
+
+// The object goes; relations keep whom they still have.
+Status Solver::leave_out(int item, const std::string& why) {
+  note_left_out(item, why);
   return rebuild();
 }
 

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <tuple>
 
 #include "layoutbox/scene/relation_traits.h"
+#include "layoutbox/solve/conflict/floor_sum.h"
 
 namespace layoutbox::placement {
 namespace {
@@ -90,27 +92,14 @@ LessScene without_objects(const SceneGraph& scene, const std::vector<std::string
   return less;
 }
 
-std::string too_much_in_words(const PlacementModel& model) {
-  std::int64_t covered = 0, room = floor_area(model.room), door = 0;
-  for (const GridBox& outside : model.outside) room -= floor_area(outside);
-  int count = 0;
-  for (const Item& item : model.items) {
-    if (item.is_opening()) {
-      if (item.opening->type == OpeningType::kWindow || item.states.empty()) continue;
-      for (const GridBox& clear : item.states[0].clear) door += floor_area(clear);
-      continue;
-    }
-    ++count;
-    if (!item.thin && item.supports.size() == 1 && item.supports[0].kind == SupportOption::Kind::kFloor) {
-      std::int64_t least = footprint(item);
-      for (const State& state : item.states) least = std::min(least, std::int64_t{state.extent[0]} * state.extent[1]);
-      covered += least;
-    }
-  }
-  const std::string before = door > 0 ? fmt::format(", {:.2f} m² stay free for doors", static_cast<double>(door) / 1e6) : "";
+std::string too_much_in_words(const PlacementModel& model, const Scope& scope) {
+  const auto m2 = [](std::int64_t area) { return static_cast<double>(area) / 1e6; };
+  const FloorSum floor = floor_sum(model, scope);
+  const auto things = std::ranges::count_if(model.items, [](const Item& item) { return !item.is_opening(); });
+  const std::string before = floor.door >= 0 ? fmt::format(", {:.2f} m² stay free before the door", m2(floor.before_door)) : "";
   return fmt::format(
-      "no layout was found for all {} objects together: they cover at least {:.2f} m² of floor{}, and the room has {:.2f} m²", count,
-      static_cast<double>(covered) / 1e6, before, static_cast<double>(room) / 1e6);
+      "no layout was found for all {} objects together: they cover at least {:.2f} m² of floor{}, and the room has {:.2f} m²", things,
+      m2(floor.covered), before, m2(floor.room));
 }
 
 }  // namespace layoutbox::placement

@@ -34,6 +34,6 @@ LessScene without_objects(const SceneGraph& scene, const std::vector<std::string
 std::vector<std::string> companions_left_alone(const SceneGraph& scene, const Catalog& catalog, std::vector<std::string> gone);
 
 // Nothing was found for all of these, and nothing proven: how much there is, and how much room.
-std::string too_much_in_words(const PlacementModel& model);
+std::string too_much_in_words(const PlacementModel& model, const Scope& scope);
 
 }  // namespace layoutbox::placement

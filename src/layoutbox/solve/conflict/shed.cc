@@ -1,6 +1,7 @@
 // Far too much for the floor: what is too much goes in one step, and one sentence says what, how much is missing and what would help.
 #include <fmt/format.h>
 
+#include "layoutbox/solve/conflict/floor_sum.h"
 #include "layoutbox/solve/conflict/relax.h"
 #include "layoutbox/solve/search/search.h"
 #include "layoutbox/solve/solving.h"
@@ -10,43 +11,15 @@ namespace {
 
 constexpr double kFilled = 0.85;  // of the floor, by bodies and the floor before the door: more is not worth a try
 
-bool covers_floor(const Item& item) {
-  return !item.is_opening() && !item.thin && !item.states.empty() && item.supports.size() == 1 &&
-         item.supports[0].kind == SupportOption::Kind::kFloor;
-}
-
-std::int64_t least_area(const Item& item) {
-  std::int64_t least = std::numeric_limits<std::int64_t>::max();
-  for (const State& state : item.states) least = std::min(least, std::int64_t{state.size.width} * state.size.depth);
-  return least;
-}
-
-struct Floor {
-  std::vector<int> items;
-  std::int64_t covered = 0, door = 0, room = 0;
-  double surplus(double share) const { return static_cast<double>(covered + door) - share * static_cast<double>(room); }
-};
-
-Floor floor_of(const PlacementModel& model) {
-  Floor floor;
-  floor.room = floor_area(model.room);
-  for (const GridBox& outside : model.outside) floor.room -= floor_area(outside);
-  for (std::size_t i = 0; i < model.items.size(); ++i) {
-    const Item& item = model.items[i];
-    if (item.is_opening() && item.opening->type != OpeningType::kWindow && !item.states.empty() && !item.states[0].clear.empty())
-      floor.door = std::max(floor.door, floor_area(item.states[0].clear[0]));
-    if (!covers_floor(item)) continue;
-    floor.items.push_back(static_cast<int>(i));
-    floor.covered += least_area(item);
-  }
-  return floor;
+double surplus(const FloorSum& floor, double share) {
+  return static_cast<double>(floor.covered + floor.before_door) - share * static_cast<double>(floor.room);
 }
 
 // How much is asked for and how much there is.
-std::string need_in_words(const PlacementModel& model, const Floor& floor) {
+std::string need_in_words(const PlacementModel& model, const FloorSum& floor) {
   const auto m2 = [](std::int64_t area) { return static_cast<double>(area) / 1e6; };
-  const std::string door = floor.door > 0 ? fmt::format(" besides {:.1f} m² before the door", m2(floor.door)) : "";
-  const std::int64_t missing = floor.covered + floor.door - floor.room;
+  const std::string door = floor.door >= 0 ? fmt::format(" besides {:.1f} m² before the door", m2(floor.before_door)) : "";
+  const std::int64_t missing = floor.missing();
   const std::string short_of = missing > 0 ? fmt::format(", {:.1f} m² less", m2(std::max<std::int64_t>(missing, 50'000))) : "";
   return fmt::format("{} need at least {:.1f} m² of floor{}, and the room has {:.1f} m²{}", things_in_words(model, floor.items),
                      m2(floor.covered), door, m2(floor.room), short_of);
@@ -56,9 +29,9 @@ std::string need_in_words(const PlacementModel& model, const Floor& floor) {
 
 // Of what is missed least first the fewest without which the rest may fit; empty where it is not too much by its sums.
 std::vector<int> Solver::surplus_items() const {
-  const Floor floor = floor_of(model_);
-  if (floor.surplus(1.0) <= 0) return {};
-  double surplus = floor.surplus(kFilled);
+  const FloorSum floor = floor_sum(model_, scope_);
+  if (floor.missing() <= 0) return {};
+  double too_much = surplus(floor, kFilled);
   std::vector<int> left = least_missed_first(model_, floor.items), gone;
   const auto as_dear = [&](int a, int b) {
     const Item &x = model_.items[a], &y = model_.items[b];
@@ -68,16 +41,16 @@ std::vector<int> Solver::surplus_items() const {
     };
     return x.object->origin == y.object->origin && is_first(a) == is_first(b);
   };
-  while (surplus > 0 && !left.empty()) {
+  while (too_much > 0 && !left.empty()) {
     // Of equally dear ones the smallest that is enough, else the largest.
     int best = left.front();
     for (const int item : left) {
       if (!as_dear(left.front(), item)) break;
       const auto area = static_cast<double>(least_area(model_.items[item])),
                  best_area = static_cast<double>(least_area(model_.items[best]));
-      if (best_area < surplus ? area > best_area : area >= surplus && area < best_area) best = item;
+      if (best_area < too_much ? area > best_area : area >= too_much && area < best_area) best = item;
     }
-    surplus -= static_cast<double>(least_area(model_.items[best]));
+    too_much -= static_cast<double>(least_area(model_.items[best]));
     gone.push_back(best);
     std::erase(left, best);
   }
@@ -107,8 +80,8 @@ Status Solver::note_crowd(const std::vector<Clash>& sums) {
 
 // Where the least sizes of all together are more than the floor: how much, and without what the rest has a place.
 std::optional<std::string> Solver::too_little_floor(const std::vector<int>& without) const {
-  const Floor floor = floor_of(model_);
-  if (floor.surplus(1.0) <= 0 || without.empty()) return std::nullopt;
+  const FloorSum floor = floor_sum(model_, scope_);
+  if (floor.missing() <= 0 || without.empty()) return std::nullopt;
   return fmt::format("{}; without {} the rest has a place", need_in_words(model_, floor), things_in_words(model_, without));
 }
 
@@ -122,17 +95,12 @@ Result<bool> Solver::shed(const std::vector<Clash>& sums) {
   LAYOUTBOX_CHECK(note_crowd(sums));
   Clash clash;
   clash.minimal = false;
-  clash.sentence = need_in_words(model_, floor_of(model_));
-  for (const int item : floor_of(model_).items) clash.demands.push_back({Demand::Kind::kItem, item});
+  const FloorSum floor = floor_sum(model_, scope_);
+  clash.sentence = need_in_words(model_, floor);
+  for (const int item : floor.items) clash.demands.push_back({Demand::Kind::kItem, item});
   const bool asked = std::any_of(items.begin(), items.end(), [&](int i) { return is_asked(i); });
   LAYOUTBOX_CHECK(note_conflict(clash, asked));
-  std::vector<std::pair<std::string, std::string>> gone;  // ids and words, which the model forgets
-  for (const int item : items) gone.emplace_back(model_.items[item].id, object_in_words(model_, item));
-  for (const int item : items) note_lost_by(item);
-  for (const auto& [id, words] : gone) {
-    left_out_ids_.push_back(id);
-    reasons_.push_back({id, 0, "", words + " is left out: " + clash.sentence});
-  }
+  for (const int item : items) note_left_out(item, clash.sentence);
   shed_ = true;
   LAYOUTBOX_CHECK(rebuild());
   return true;
@@ -158,7 +126,8 @@ void Solver::sum_up_shedding() {
     return std::none_of(model_.constraints.begin(), model_.constraints.end(),
                         [&](const Constraint& c) { return c.name == relaxed.first && !is_assumption(model_, c); });
   });
-  const std::string sentence = fmt::format("{}; without {} {}", need_in_words(*whole, floor_of(*whole)), things_in_words(*whole, gone),
+  const FloorSum floor = floor_sum(*whole, {});
+  const std::string sentence = fmt::format("{}; without {} {}", need_in_words(*whole, floor), things_in_words(*whole, gone),
                                            all_else ? "all else fits" : "the rest has a place");
   for (Relaxation& reason : reasons_) {
     if (const int item = whole->find_item(reason.relation); item >= 0)
@@ -168,8 +137,8 @@ void Solver::sum_up_shedding() {
   std::erase_if(conflicts_, [](const Noted& noted) { return noted.conflict.relations.empty(); });
   Noted noted{crowd_.value_or(Conflict{{}, {}, sentence, false}), false};
   if (!crowd_) {
-    for (const int item : floor_of(*whole).items) noted.conflict.objects.push_back(whole->items[item].id);
-  } else if (crowd_->objects.size() == floor_of(*whole).items.size()) {
+    for (const int item : floor.items) noted.conflict.objects.push_back(whole->items[item].id);
+  } else if (crowd_->objects.size() == floor.items.size()) {
     noted.conflict.sentence = sentence;
   }
   for (const int item : gone) noted.asked = noted.asked || whole->items[item].object->asked();

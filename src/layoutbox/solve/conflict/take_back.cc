@@ -16,16 +16,16 @@ bool Solver::may_come_back(const std::string& name, const std::string& why) cons
 
 // True: there is a layout that holds it beside all that is held so far.
 bool Solver::take_back(const std::string& name) {
-  std::vector<char> given_up = given_up_;
-  for (std::size_t c = 0; c < given_up.size(); ++c) {
-    if (model_.constraints[c].name == name) given_up[c] = 0;
+  Scope with = scope_;
+  for (std::size_t c = 0; c < with.given_up.size(); ++c) {
+    if (model_.constraints[c].name == name) with.given_up[c] = 0;
   }
   const Dependencies dependencies(model_);
   Placements placements(model_.items.size());
   Budget budget = part(kLeastSteps);
   // A wish is no demand to the search: for the question it is one again.
   const auto demand = [&](bool again) {
-    for (std::size_t c = 0; c < given_up.size(); ++c) {
+    for (std::size_t c = 0; c < model_.constraints.size(); ++c) {
       Constraint& constraint = model_.constraints[c];
       if (constraint.name != name || constraint.firmness == Firmness::kImplied) continue;
       constraint.firmness = again ? Firmness::kHard : Firmness::kSoft;
@@ -33,11 +33,11 @@ bool Solver::take_back(const std::string& name) {
     }
   };
   demand(true);
-  if (!QuickSearch(model_, dependencies, given_up, options_.seed, kAllSizes).complete(placements, left_out_, budget)) {
+  if (!QuickSearch(model_, dependencies, with, options_.seed, kAllSizes).complete(placements, budget)) {
     demand(false);
     return false;
   }
-  given_up_ = given_up, placements_ = placements, size_limit_ = kAllSizes;
+  scope_ = with, placements_ = placements, size_limit_ = kAllSizes;
   return true;
 }
 

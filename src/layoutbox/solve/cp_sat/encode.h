@@ -9,6 +9,7 @@
 
 #include "layoutbox/solve/cp_sat/wire.h"
 #include "layoutbox/solve/model/model.h"
+#include "layoutbox/solve/model/scope.h"
 
 namespace layoutbox::placement {
 
@@ -24,11 +25,10 @@ struct Demand {
 
 class Encoding {
  public:
-  // Everything but what is given up and the items that are left out. Items of `given_up` constraints are not bound by them.
+  // Items of constraints that are given up are not bound by them.
   // kPlacing: every solution is a layout. kProving: every layout is a solution, so that what has none has no layout; free spaces count
   // between all bodies then, not only between those that belong together.
-  Encoding(const PlacementModel& model, const std::vector<char>& given_up, const std::vector<char>& left_out,
-           Purpose purpose = Purpose::kPlacing);
+  Encoding(const PlacementModel& model, const Scope& scope, Purpose purpose = Purpose::kPlacing);
 
   // The model with exactly these demands assumed (by their index in `demands()`); all others are free.
   std::string bytes(const std::vector<char>& demanded);

@@ -29,4 +29,7 @@ Mm clear_depth(const Opening& opening);
 Constraint opening_place(const PlacementModel& model, int index);
 Constraint opening_clearance(const Item& item);
 
+// Fills PlacementModel::pairs. REQUIRES: all items are there.
+void set_pair_rules(PlacementModel& model);
+
 }  // namespace layoutbox::placement

@@ -117,7 +117,7 @@ std::vector<int> turns_of(const Item& item, const SceneObject& object, bool odd_
 std::vector<RoomWall> walls_for(const SceneGraph& scene, const std::string& id, const std::vector<RoomWall>& walls) {
   std::vector<RoomWall> named;
   for (const Relation& r : scene.relations) {
-    const bool at_wall = r.type == RelationType::kAgainstWall || r.type == RelationType::kCenteredOnWall || r.type == RelationType::kOnWall;
+    const bool at_wall = says_too(r.type, RelationType::kAgainstWall);
     if (!at_wall || !r.hard || std::find(r.targets.begin(), r.targets.end(), id) == r.targets.end()) continue;
     for (const RoomWall& wall : walls) {
       if (std::find(r.references.begin(), r.references.end(), wall.id) != r.references.end()) named.push_back(wall);
@@ -172,9 +172,8 @@ void add_hinted_turn(const Item& item, std::vector<double>& turns) {
 // Seats around something may stand at odd angles, of other things where they are many.
 bool sits_around(const SceneGraph& scene, const std::string& id, bool seat) {
   return std::any_of(scene.relations.begin(), scene.relations.end(), [&](const Relation& r) {
-    const bool around = r.type == RelationType::kAround || r.type == RelationType::kSurround;
     const bool many = r.targets.size() >= 5 || (seat && r.targets.size() == 3);  // four stand square
-    return around && many && std::find(r.targets.begin(), r.targets.end(), id) != r.targets.end();
+    return traits_of(r.type).around && many && std::find(r.targets.begin(), r.targets.end(), id) != r.targets.end();
   });
 }
 
@@ -273,10 +272,7 @@ bool told_to_look(const SceneGraph& scene, const Item& item) {
 // lies as the room does, where there is the width for it and nothing says how it lies.
 bool lies_as_the_room(const SceneGraph& scene, const Item& item) {
   if (item.has_front || item.mount != Mount::kFloor || item.entry->thin) return false;
-  const auto is_side = [](RelationType type) {
-    return type == RelationType::kLeftOf || type == RelationType::kRightOf || type == RelationType::kInFrontOf ||
-           type == RelationType::kBehind;
-  };
+  const auto is_side = [](RelationType type) { return traits_of(type).placing == Placing::kSide; };
   const auto has = [&](const std::vector<std::string>& ids) { return std::ranges::find(ids, item.id) != ids.end(); };
   const bool said =
       std::ranges::any_of(scene.relations, [&](const Relation& r) { return r.asked() && is_side(r.type) && has(r.references); });

@@ -1,4 +1,5 @@
 #include "layoutbox/solve/model/to_layout.h"
+#include "layoutbox/scene/relation_traits.h"
 
 #include <cmath>
 
@@ -17,8 +18,7 @@ bool option_missing(const SupportOption& option, const Placements& placements) {
 // Do the scene's words say that it is held by that?
 bool is_said(const PlacementModel& model, const std::string& id, const std::string& holder) {
   return std::any_of(model.scene->relations.begin(), model.scene->relations.end(), [&](const Relation& r) {
-    const bool holds =
-        r.type == RelationType::kOn || r.type == RelationType::kIn || r.type == RelationType::kOnWall || r.type == RelationType::kStacked;
+    const bool holds = traits_of(r.type).supports || r.type == RelationType::kOnWall;
     const auto has = [](const std::vector<std::string>& ids, const std::string& one) {
       return std::find(ids.begin(), ids.end(), one) != ids.end();
     };

@@ -273,7 +273,7 @@ void add_differences(PlacementModel& model, const std::vector<const Layout*>& un
   }
 }
 
-std::vector<Clash> clashes_of_locks(const PlacementModel& model, const std::vector<char>& given_up, const std::vector<char>& left_out) {
+std::vector<Clash> clashes_of_locks(const PlacementModel& model, const Scope& scope) {
   std::vector<Clash> out;
   if (model.start.empty()) return out;
   const auto at_of = [&](std::size_t i) {
@@ -283,7 +283,7 @@ std::vector<Clash> clashes_of_locks(const PlacementModel& model, const std::vect
   const auto stays = [&](std::size_t i) {
     const Item& item = model.items[i];
     const int lock = item.locked ? lock_of(model, static_cast<int>(i)) : -1;
-    return !item.is_opening() && !left_out[i] && (item.fixed || (lock >= 0 && !given_up[lock]));
+    return !item.is_opening() && !scope.leaves_out(static_cast<int>(i)) && (item.fixed || (lock >= 0 && !scope.gives_up(lock)));
   };
   const auto beyond_walls = [&](std::size_t i) {
     Placements alone(model.items.size());

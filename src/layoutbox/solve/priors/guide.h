@@ -27,7 +27,7 @@ void add_stays(PlacementModel& model);
 void add_differences(PlacementModel& model, const std::vector<const Layout*>& unlike);
 
 // Locked or fixed things that overlap each other or stick out of the room: clashes that need no proof.
-std::vector<Clash> clashes_of_locks(const PlacementModel& model, const std::vector<char>& given_up, const std::vector<char>& left_out);
+std::vector<Clash> clashes_of_locks(const PlacementModel& model, const Scope& scope);
 
 // Its state and place are those of the earlier layout.
 inline bool unmoved(const PlacementModel& model, int item, const Placements& placements) {

@@ -1,4 +1,5 @@
 // Habits of seats at desks, tables and counters, and what a relation leaves open between things that belong together.
+#include "layoutbox/scene/relation_traits.h"
 #include "layoutbox/solve/priors/formation.h"
 #include "layoutbox/solve/priors/habits.h"
 
@@ -137,8 +138,8 @@ void Habits::sit_facing(int item, int host) {
   const Item& self = model_.items[item];
   if (!self.is(Trait::kTableSeat) || !self.has_front || model_.items[host].is_opening()) return;
   const bool told = std::any_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
-    const bool turns = std::find(kLooks.begin(), kLooks.end(), r.type) != kLooks.end() || r.type == RelationType::kAround ||
-                       r.type == RelationType::kSurround || r.type == RelationType::kTuckedUnder || r.type == RelationType::kOpposite;
+    const RelationTraits& traits = traits_of(r.type);
+    const bool turns = traits.turns || traits.around || r.type == RelationType::kTuckedUnder || r.type == RelationType::kOpposite;
     return turns && std::find(r.targets.begin(), r.targets.end(), self.id) != r.targets.end();
   });
   if (told) return;
@@ -153,7 +154,7 @@ bool Habits::told_short_side(int item, int host) const {
   };
   return std::any_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
     return r.type == RelationType::kAlongSide && names(r.targets, model_.items[item].id) && names(r.references, model_.items[host].id) &&
-           r.parameters.side.value_or(Side::kLong) != Side::kLong;
+           or_default(r, &RelationParameters::side) != Side::kLong;
   });
 }
 

@@ -90,8 +90,8 @@ struct CandidateFinder::Hunt {
   }
 };
 
-CandidateFinder::CandidateFinder(const PlacementModel& model, std::vector<char> given_up)
-    : model_(model), regions_(model, std::move(given_up)), obstacles_(model, regions_), access_(model) {}
+CandidateFinder::CandidateFinder(const PlacementModel& model, Scope scope)
+    : model_(model), regions_(model, std::move(scope)), obstacles_(model, regions_), access_(model) {}
 
 bool CandidateFinder::collisions(const Placements& placements, int item, const Placement& placement, const std::vector<std::int64_t>& price,
                                  std::vector<int>& hit) const {

@@ -34,10 +34,7 @@ class Coordinates;
 
 class CandidateFinder {
  public:
-  // `given_up`: by constraint index; those need not hold.
-  CandidateFinder(const PlacementModel& model, std::vector<char> given_up);
-  // By item: not there at all; what speaks of them cannot hold.
-  void leave_out(const std::vector<char>& items) { regions_.leave_out(items); }
+  CandidateFinder(const PlacementModel& model, Scope scope);
 
   // From now on regions are passed over where no position can be cheaper than the best so far. It finds the same in fewer steps, so that a
   // search with a budget goes farther; the first search, which decides what is given up, goes without.
@@ -53,6 +50,7 @@ class CandidateFinder {
   bool collisions(const Placements& placements, int item, const Placement& placement, const std::vector<std::int64_t>& price,
                   std::vector<int>& hit) const;
 
+  const Scope& scope() const { return regions_.scope(); }
   bool enforced(int constraint) const { return regions_.enforced(constraint); }
 
  private:

@@ -66,7 +66,7 @@ bool Search::form_all(std::size_t fewest, std::size_t way) {
   failed_.clear();
   bool any = false;
   for (const auto& [first, places] : places_by_formation(model_)) {
-    const auto is_gone = [&](int c) { return left_out_[static_cast<std::size_t>(model_.constraints[c].member)] != 0; };
+    const auto is_gone = [&](int c) { return is_out(model_.constraints[c].member); };
     const std::size_t ways = model_.constraints[places[0]].formulas[0].cases.size();
     if (places.size() < fewest || ways == 0 || std::ranges::any_of(places, is_gone)) continue;
     const bool formed = form_from_nothing(places, way % ways);
@@ -78,15 +78,12 @@ bool Search::form_all(std::size_t fewest, std::size_t way) {
   return any;
 }
 
-bool Search::construct_formed(const std::vector<char>& left_out, std::size_t fewest, Budget& budget) {
+bool Search::construct_formed(std::size_t fewest, Budget& budget) {
   constexpr std::size_t kWays = 4;  // quarter turns
-  left_out_ = left_out;
-  left_out_.resize(model_.items.size(), 0);
-  finder_.leave_out(left_out_);
   std::optional<std::pair<std::int64_t, Placements>> best;
   for (std::size_t way = 0; way < kWays; ++way) {
     if (!form_all(fewest, way)) continue;
-    for (const int item : placing_order(model_, dependencies_, left_out_, bonus_)) {
+    for (const int item : order(bonus_)) {
       if (placements_[item].state < 0 && (budget.stopped || !place(item, 0, budget))) failed_.push_back(item);
     }
     if (!failed_.empty() && !repair(budget)) continue;

@@ -59,7 +59,7 @@ Dependencies::Dependencies(const PlacementModel& model) : hosts(model.items.size
   }
 }
 
-std::vector<int> placing_order(const PlacementModel& model, const Dependencies& dependencies, const std::vector<char>& left_out,
+std::vector<int> placing_order(const PlacementModel& model, const Dependencies& dependencies, const Scope& scope,
                                const std::vector<int>& bonus) {
   struct Key {
     int item, bonus, group, anchors;
@@ -68,7 +68,7 @@ std::vector<int> placing_order(const PlacementModel& model, const Dependencies& 
   std::vector<Key> keys;
   for (std::size_t i = 0; i < model.items.size(); ++i) {
     const Item& item = model.items[i];
-    if (left_out[i]) continue;
+    if (scope.leaves_out(static_cast<int>(i))) continue;
     Key key{static_cast<int>(i), bonus[i], 3, anchors_of(model, static_cast<int>(i)), 0};
     const Vec3& e = item.states[0].extent;
     key.area = std::int64_t{e[0]} * e[1];
@@ -98,7 +98,7 @@ std::vector<int> placing_order(const PlacementModel& model, const Dependencies& 
   std::vector<int> out;
   std::vector<char> seen(model.items.size(), 0);
   const std::function<void(int)> emit = [&](int item) {
-    if (seen[item] || left_out[item]) return;
+    if (seen[item] || scope.leaves_out(item)) return;
     seen[item] = 1;
     for (const int other : dependencies.hosts[item]) emit(other);
     out.push_back(item);

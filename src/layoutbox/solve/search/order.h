@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "layoutbox/solve/model/model.h"
+#include "layoutbox/solve/model/scope.h"
 
 namespace layoutbox::placement {
 
@@ -17,7 +18,7 @@ struct Dependencies {
 };
 
 // Fixed ones, then the ones with the most `bonus`, what a relation ties to a wall, openings, the rest by size, things on things, rugs.
-std::vector<int> placing_order(const PlacementModel& model, const Dependencies& dependencies, const std::vector<char>& left_out,
+std::vector<int> placing_order(const PlacementModel& model, const Dependencies& dependencies, const Scope& scope,
                                const std::vector<int>& bonus);
 
 // The item and everything placed that hangs on it, hosts first.

@@ -5,8 +5,6 @@ namespace {
 
 constexpr int kPushesPerItem = 3, kPushesMore = 20, kLongerBy = 2;
 constexpr int kTriesWhereWatched = 8;
-constexpr std::size_t kMostCoordinates = 14;
-
 constexpr std::int64_t kSlice = 1'000'000;  // steps
 
 // 1, 1, 2, 1, 1, 2, 4, 1, …: of searches whose time has a long tail these lengths are nearly as good as the best that could be chosen.
@@ -52,11 +50,10 @@ std::vector<std::uint64_t> alike_states(const PlacementModel& model, const Regio
 
 }  // namespace
 
-QuickSearch::QuickSearch(const PlacementModel& model, const Dependencies& dependencies, std::vector<char> given_up, std::uint64_t seed,
-                         int most_size_step)
+QuickSearch::QuickSearch(const PlacementModel& model, const Dependencies& dependencies, Scope scope, std::uint64_t seed, int most_size_step)
     : model_(model),
       dependencies_(dependencies),
-      regions_(model, std::move(given_up), most_size_step),
+      regions_(model, std::move(scope), most_size_step),
       random_(seed),
       most_size_step_(most_size_step),
       weight_(model.items.size(), 0),
@@ -64,8 +61,14 @@ QuickSearch::QuickSearch(const PlacementModel& model, const Dependencies& depend
   for (std::size_t i = 0; i < model.items.size(); ++i) alike_.push_back(alike_states(model, regions_, static_cast<int>(i)));
 }
 
-bool QuickSearch::complete(Placements& placements, const std::vector<char>& left_out, Budget& budget) {
-  regions_.leave_out(left_out);
+void QuickSearch::note_failed(const Placements& placements) {
+  failed_.clear();
+  for (int i = 0; i < static_cast<int>(placements.size()); ++i) {
+    if (!regions_.scope().leaves_out(i) && placements[static_cast<std::size_t>(i)].state < 0) failed_.push_back(i);
+  }
+}
+
+bool QuickSearch::complete(Placements& placements, Budget& budget) {
   regions_.watch(&budget);
   Placements best = placements;
   std::size_t least = model_.items.size() + 1;
@@ -77,18 +80,15 @@ bool QuickSearch::complete(Placements& placements, const std::vector<char>& left
       attempts_ = 0;
     }
     placements_ = placements;
-    std::vector<int> pending = placing_order(model_, dependencies_, left_out, weight_);
+    std::vector<int> pending = placing_order(model_, dependencies_, regions_.scope(), weight_);
     std::erase_if(pending, [&](int item) { return placements_[item].state >= 0; });
     std::reverse(pending.begin(), pending.end());  // the next is taken from the end
-    const bool all = attempt(left_out, std::move(pending), budget);
+    const bool all = attempt(std::move(pending), budget);
     if (all || failed_.size() < least) best = placements_, least = failed_.size();
     if (all) break;
   }
   placements = std::move(best);
-  failed_.clear();
-  for (std::size_t i = 0; i < placements.size(); ++i) {
-    if (!left_out[i] && placements[i].state < 0) failed_.push_back(static_cast<int>(i));
-  }
+  note_failed(placements);
   return failed_.empty();
 }
 
@@ -107,7 +107,7 @@ int QuickSearch::next_of(std::vector<int>& pending) const {
   return item;
 }
 
-bool QuickSearch::attempt(const std::vector<char>& left_out, std::vector<int> pending, Budget& budget) {
+bool QuickSearch::attempt(std::vector<int> pending, Budget& budget) {
   // Later attempts are longer.
   const int limit = (kPushesPerItem * static_cast<int>(model_.items.size()) + kPushesMore) * (kLongerBy + attempts_++) / kLongerBy;
   int pushes = 0;
@@ -119,10 +119,7 @@ bool QuickSearch::attempt(const std::vector<char>& left_out, std::vector<int> pe
     pending.push_back(item);
     break;
   }
-  failed_.clear();
-  for (std::size_t i = 0; i < placements_.size(); ++i) {
-    if (!left_out[i] && placements_[i].state < 0) failed_.push_back(static_cast<int>(i));
-  }
+  note_failed(placements_);
   return failed_.empty();
 }
 
@@ -205,112 +202,6 @@ std::vector<int> QuickSearch::all_hosts(int item) const {
     }
   }
   return all;
-}
-
-// What it costs to push others out of the way, asked for as it is needed.
-class QuickSearch::Prices {
- public:
-  Prices(const QuickSearch& search, int item) : search_(search), prices_(search.placements_.size(), kUnknown) {
-    for (const int other : search.all_hosts(item)) prices_[other] = kNever;
-  }
-
-  // Less than 0: it is not to be pushed.
-  int of(int other) {
-    int& price = prices_[other];
-    if (price != kUnknown) return price;
-    price = kNever;
-    if (stays(search_.model_.items[other])) return price;
-    group_of(search_.dependencies_, search_.placements_, other, group_);
-    price = 0;
-    for (const int member : group_) price += 1 + search_.weight_[member];
-    return price;
-  }
-
- private:
-  static constexpr int kUnknown = -2, kNever = -1;
-  const QuickSearch& search_;
-  std::vector<int> prices_, group_;
-};
-
-// The cheapest place to push others from, so far.
-struct QuickSearch::Push {
-  Placement best;
-  std::int64_t least = std::numeric_limits<std::int64_t>::max();
-  std::vector<int> hit, best_hit;
-  std::vector<int> seen;  // by item: the position at which it was counted last
-  int stamp = 0;
-};
-
-// The coordinates of an axis at which a region is tried: its ends, and the edges of what is in the way.
-void QuickSearch::coordinates_of(const Region& region, int axis, std::vector<Mm>& tried) {
-  tried.assign({region.lo[axis]});
-  if (region.hi[axis] > region.lo[axis]) tried.push_back(region.hi[axis]);
-  for (const Obstacles::Forbidden& f : obstacles_.all()) {
-    for (const Mm value : {f.lo[axis], f.hi[axis]}) {
-      if (axis < 2 && value > region.lo[axis] && value < region.hi[axis]) tried.push_back(value);
-    }
-  }
-  while (tried.size() > kMostCoordinates) {
-    tried[static_cast<std::size_t>(random_.below(static_cast<std::int64_t>(tried.size())))] = tried.back();
-    tried.pop_back();
-  }
-}
-
-// Takes that place where what stands in it is pushed at the least price.
-void QuickSearch::try_to_push(const Region& region, int state, const Vec3& at, Prices& prices, Push& push) {
-  ++push.stamp;
-  push.hit.clear();
-  std::int64_t sum = random_.below(2);  // of equals now this one, now that
-  for (const Obstacles::Forbidden& f : obstacles_.all()) {
-    if (!obstacles_.holds(f, at) || (f.owner >= 0 && push.seen[f.owner] == push.stamp)) continue;
-    if (f.owner < 0 || prices.of(f.owner) < 0) return;
-    push.seen[f.owner] = push.stamp;
-    push.hit.push_back(f.owner);
-    sum += 2 * std::int64_t{prices.of(f.owner)};
-    if (sum >= push.least) return;
-  }
-  if (sum >= push.least || !holds_at(region, at)) return;
-  push.least = sum, push.best = {state, at}, push.best_hit = push.hit;
-}
-
-// Where it pushes out what has failed least often.
-bool QuickSearch::push_out(int item, std::vector<int>& pending, Budget& budget) {
-  Prices prices(*this, item);
-  Push push;
-  push.seen.assign(placements_.size(), 0);
-  std::array<std::vector<Mm>, 3> tried;
-  for (const int state : states_in_turn(item)) {
-    for (const Region& region : regions_.find(placements_, item, state, false)) {
-      obstacles_.gather(placements_, item, state, region);
-      for (int k = 0; k < 3; ++k) coordinates_of(region, k, tried[k]);
-      for (const Mm z : tried[2]) {
-        for (const Mm y : tried[1]) {
-          budget.count(static_cast<std::int64_t>(1 + tried[0].size() * obstacles_.all().size() / 32));
-          if (budget.stopped) return false;
-          for (const Mm x : tried[0]) try_to_push(region, state, {x, y, z}, prices, push);
-        }
-      }
-    }
-  }
-  if (push.best.state < 0) return false;
-  placements_[item] = push.best;
-  for (const int other : push.best_hit) take_out(other, pending);
-  return true;
-}
-
-// What it refers to stands where it cannot follow: that looks for another place, before it.
-bool QuickSearch::take_hosts(int item, std::vector<int>& pending) {
-  bool any = false;
-  const std::vector<int> hosts = random_.below(2) == 0 ? dependencies_.hosts[item] : all_hosts(item);
-  pending.push_back(item);
-  for (const int host : hosts) {
-    if (placements_[host].state < 0 || stays(model_.items[host])) continue;
-    ++weight_[host];
-    take_out(host, pending);
-    any = true;
-  }
-  if (!any) pending.pop_back();
-  return any;
 }
 
 }  // namespace layoutbox::placement

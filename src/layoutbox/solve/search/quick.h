@@ -13,19 +13,19 @@ namespace layoutbox::placement {
 
 class QuickSearch {
  public:
-  // `given_up`: by constraint index. `most_size_step`: how far from the usual size items may be.
-  QuickSearch(const PlacementModel& model, const Dependencies& dependencies, std::vector<char> given_up, std::uint64_t seed,
-              int most_size_step);
+  // `most_size_step`: how far from the usual size items may be.
+  QuickSearch(const PlacementModel& model, const Dependencies& dependencies, Scope scope, std::uint64_t seed, int most_size_step);
 
-  // Places everything that has no place yet in `placements` but what is `left_out`; what is there may be moved, what stays() apart.
+  // Places everything in its scope that has no place yet in `placements`; what is there may be moved, what stays() apart.
   // False: not within the budget; `placements` is then as good as it got.
-  bool complete(Placements& placements, const std::vector<char>& left_out, Budget& budget);
+  bool complete(Placements& placements, Budget& budget);
 
   // Those without a place in the best try.
   const std::vector<int>& failed() const { return failed_; }
 
  private:
-  bool attempt(const std::vector<char>& left_out, std::vector<int> pending, Budget& budget);
+  void note_failed(const Placements& placements);
+  bool attempt(std::vector<int> pending, Budget& budget);
   int next_of(std::vector<int>& pending) const;
   bool settle(int item, Budget& budget);
   bool settle_once(int item, Budget& budget);

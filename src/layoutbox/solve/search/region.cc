@@ -49,9 +49,8 @@ Partial partial_of(const PlacementModel& model, const Placements& placements, co
   return p;
 }
 
-RegionFinder::RegionFinder(const PlacementModel& model, std::vector<char> given_up, int most_size_step)
-    : model_(model), given_up_(std::move(given_up)), left_out_(model.items.size(), 0), most_size_step_(most_size_step) {
-  given_up_.resize(model.constraints.size(), 0);
+RegionFinder::RegionFinder(const PlacementModel& model, Scope scope, int most_size_step)
+    : model_(model), scope_(std::move(scope)), most_size_step_(most_size_step) {
   share_out();
   for (const Item& item : model_.items) domains_.push_back(widest_domain(item));
 }
@@ -141,31 +140,31 @@ void RegionFinder::narrow_domains() {
   const Placements nowhere(model_.items.size());
   Budget own{0, 0, budget_->stop, budget_->stopped};
   Budget* const of_search = std::exchange(budget_, &own);
-  const std::vector<char> left_out = std::exchange(left_out_, std::vector<char>(model_.items.size(), 0));
+  std::vector<char> left_out = std::exchange(scope_.left_out, {});
   for (int round = 0; round < kNarrowings; ++round) {
     for (std::size_t i = 0; i < domains_.size() && own.work <= kMostNarrowing && !own.stopped; ++i) {
       if (is_linked(static_cast<int>(i))) domains_[i] = narrower_domain(static_cast<int>(i), nowhere);
     }
   }
-  left_out_ = left_out;
+  scope_.left_out = std::move(left_out);
   budget_ = of_search;
   budget_->work += own.work;
   budget_->stopped = budget_->stopped || own.stopped;
 }
 
 bool RegionFinder::enforced(int constraint) const {
-  return !given_up_[constraint] && model_.constraints[constraint].firmness != Firmness::kSoft;
+  return !scope_.gives_up(constraint) && model_.constraints[constraint].firmness != Firmness::kSoft;
 }
 
 bool RegionFinder::reduce(const Placements& placements, const Case& one, int item, int state, bool with_wishes, const Shares* shares,
                           Reduced& out) const {
   out.price = one.price * kPoint;
   for (const StateLiteral& literal : one.states) {
-    if (left_out_[literal.item]) return false;
+    if (scope_.leaves_out(literal.item)) return false;
     const int s = literal.item == item ? state : placements[literal.item].state;
     if (s >= 0 && !(literal.states >> s & 1)) return false;
   }
-  const auto is_out = [&](const Term& term) { return left_out_[term.item] != 0; };
+  const auto is_out = [&](const Term& term) { return scope_.leaves_out(term.item); };
   const std::vector<int>* forms = shares ? &shares->forms[static_cast<std::size_t>(item)] : nullptr;
   for (std::size_t i = 0; i < (forms ? forms->size() : one.at_least_zero.size()); ++i) {
     const Linear& form = one.at_least_zero[forms ? static_cast<std::size_t>((*forms)[i]) : i];

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "layoutbox/solve/model/model.h"
+#include "layoutbox/solve/model/scope.h"
 #include "layoutbox/solve/search/budget.h"
 
 namespace layoutbox::placement {
@@ -78,17 +79,16 @@ inline bool holds_at(const Region& region, const Vec3& at) {
 
 class RegionFinder {
  public:
-  // `given_up`: by constraint index; those need not hold. `most_size_step`: how far from the usual size items may be.
-  RegionFinder(const PlacementModel& model, std::vector<char> given_up, int most_size_step = std::numeric_limits<int>::max());
-  // By item: not there at all; what speaks of them cannot hold.
-  void leave_out(const std::vector<char>& items) { left_out_ = items; }
+  // `most_size_step`: how far from the usual size items may be.
+  RegionFinder(const PlacementModel& model, Scope scope, int most_size_step = std::numeric_limits<int>::max());
 
   // Once its stop has come nothing is found any more. Null: there is none. Kept by the caller. With the first the domains are narrowed.
   void watch(Budget* budget);
 
+  const Scope& scope() const { return scope_; }
   bool enforced(int constraint) const;
   // Is the constraint before the doors and windows given up for this opening?
-  bool clearance_off(const Item& item) const { return item.clearance_constraint >= 0 && given_up_[item.clearance_constraint]; }
+  bool clearance_off(const Item& item) const { return scope_.gives_up(item.clearance_constraint); }
 
   const std::vector<Domain>& domains() const { return domains_; }
 
@@ -112,7 +112,7 @@ class RegionFinder {
   std::vector<Reduced>& next_pool();
 
   const PlacementModel& model_;
-  std::vector<char> given_up_, left_out_;
+  Scope scope_;
   int most_size_step_;
   std::vector<Domain> domains_;
   std::map<std::pair<int, int>, Shares> shares_;  // of formulas with one long case, by constraint and formula

@@ -38,19 +38,19 @@ struct KnownCosts {
 
 class Search {
  public:
-  // `given_up`: by constraint index; those need not hold. `most_size_step`: how far below the usual size items may be.
-  Search(const PlacementModel& model, std::vector<char> given_up, std::uint64_t seed, int most_size_step);
+  // `most_size_step`: how far below the usual size items may be.
+  Search(const PlacementModel& model, Scope scope, std::uint64_t seed, int most_size_step);
 
   void skip_dear_regions() { finder_.skip_dear_regions(); }
 
-  // Places everything but what is `left_out`, or as much as it can. True when all are placed.
-  bool construct(const std::vector<char>& left_out, int restarts, Budget& budget);
+  // Places everything in its scope, or as much as it can. True when all are placed.
+  bool construct(int restarts, Budget& budget);
   // A start in which formations of so many members at least stand in their places from the first: crowds that are in one another's way
   // where they come one by one. False also where there is none.
-  bool construct_formed(const std::vector<char>& left_out, std::size_t fewest, Budget& budget);
+  bool construct_formed(std::size_t fewest, Budget& budget);
   // A start unlike that: a few things first that have no right to be, and places that are as good within a noise. What finds no place
   // pushes others out.
-  bool construct_unlike(const std::vector<char>& left_out, Budget& budget);
+  bool construct_unlike(Budget& budget);
 
   // Local moves from a complete layout; never makes it worse. Ends after so many moves a thing in vain. `sweeps`: each thing once first.
   void improve(Budget& budget, std::int64_t patience, bool sweeps = true);
@@ -61,15 +61,13 @@ class Search {
   bool shake(Budget& budget);
 
   const Placements& placements() const { return placements_; }
-  void adopt(const Placements& placements, const std::vector<char>& left_out) {
-    placements_ = placements;
-    left_out_ = left_out;
-    finder_.leave_out(left_out);
-  }
+  void adopt(const Placements& placements) { placements_ = placements; }
   // Items that could not be placed in the best try.
   const std::vector<int>& failed() const { return failed_; }
 
  private:
+  bool is_out(int item) const { return finder_.scope().leaves_out(item); }
+  std::vector<int> order(const std::vector<int>& bonus) const { return placing_order(model_, dependencies_, finder_.scope(), bonus); }
   bool try_order(const std::vector<int>& order, std::int64_t noise, Budget& budget);
   std::vector<int> movable() const;
   std::vector<std::vector<int>> formations() const;
@@ -112,9 +110,8 @@ class Search {
   int most_size_step_;
   Placements placements_;
   std::vector<int> failed_;
-  std::int64_t ways_ = 0;  // cost of the ways as things stand, while improving
-  KnownCosts known_;       // of what many moves start from
-  std::vector<char> left_out_;
+  std::int64_t ways_ = 0;   // cost of the ways as things stand, while improving
+  KnownCosts known_;        // of what many moves start from
   std::vector<int> bonus_;  // how often an item failed
   Dependencies dependencies_;
 };

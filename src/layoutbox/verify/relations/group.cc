@@ -15,8 +15,6 @@ namespace {
 constexpr double kSpacing = 0.01;  // m: two places on the 1 cm grid may differ by one step
 constexpr std::array kFourSides{Side::kFront, Side::kBack, Side::kLeft, Side::kRight};
 
-double max_of(const RelationCase& c) { return c.metres(c.relation.parameters.max, "max").value_or(0.5); }
-
 double far_out(const Body& t, const Shape& r, Side side) {
   const Vec2d out = direction_of(r.frame, side);
   return extent(t.shape, out).hi - extent(r, out).hi;
@@ -56,7 +54,7 @@ Finding equal_coordinates(const RelationCase& c, Axis axis) {
 }
 
 Finding in_row(const RelationCase& c, Axis along) {
-  const std::optional<double> wanted = c.metres(c.relation.parameters.gap, "gap");
+  const std::optional<double> wanted = c.metres(&RelationParameters::gap);
   std::vector<Finding> findings{equal_coordinates(c, along == Axis::kX ? Axis::kY : Axis::kX)};
   const std::vector<Interval> row = sorted_extents(c, along);
   for (std::size_t i = 1; i < row.size(); ++i) {
@@ -248,7 +246,7 @@ Finding check_Grid(const RelationCase& c) {
                                    fmt::format("{} and {} have one place", c.targets[i]->id(), c.targets[j]->id())));
     }
   }
-  const std::optional<double> gap = c.metres(c.relation.parameters.gap, "gap");
+  const std::optional<double> gap = c.metres(&RelationParameters::gap);
   for (const auto& [axis, lines] : {std::pair{Axis::kX, x}, std::pair{Axis::kY, y}}) {
     if (!gap || lines.size() < 2) continue;
     double length = 0;
@@ -267,7 +265,7 @@ Finding check_EvenlySpaced(const RelationCase& c) {
 }
 
 Finding check_SymmetricAbout(const RelationCase& c) {
-  const bool mirror_y = c.relation.parameters.axis.value_or(Axis::kX) == Axis::kY;
+  const bool mirror_y = or_default(c.relation, &RelationParameters::axis) == Axis::kY;
   std::vector<Finding> findings;
   for (const RelationReference& r : c.references) {
     if (r.is_place()) return condition(false, r.id + " has no middle");

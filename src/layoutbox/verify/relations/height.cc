@@ -132,7 +132,7 @@ Finding check_Under(const RelationCase& c) {
 }
 
 Finding check_Above(const RelationCase& c) {
-  const std::optional<double> wanted = c.metres(c.relation.parameters.gap, "gap");
+  const std::optional<double> wanted = c.metres(&RelationParameters::gap);
   return each_pair(c, [&](const Body& t, const RelationReference& r) {
     if (r.is_place()) return condition(false, "nothing in the room is above " + r.id);
     if (r.face != nullptr) return above_opening(c, t, *r.face);

@@ -15,9 +15,8 @@ bool names_something(const RelationCase& c) {
 }
 
 Finding near_face(const RelationCase& c, const Body& t, const Face& face) {
-  const RelationParameters& given = c.relation.parameters;
-  return in_band(fmt::format("distance between {} and {}", t.id(), face.id), gap(t.shape, face.shape), c.metres(given.min, "min"),
-                 c.metres(given.max, "max"), c.slack());
+  return in_band(fmt::format("distance between {} and {}", t.id(), face.id), gap(t.shape, face.shape), c.metres(&RelationParameters::min),
+                 c.metres(&RelationParameters::max), c.slack());
 }
 
 Finding far_from_all(const RelationCase& c, const std::function<bool(const Face&)>& wanted) {
@@ -33,7 +32,7 @@ Finding far_from_all(const RelationCase& c, const std::function<bool(const Face&
 }  // namespace
 
 Finding check_UnderWindow(const RelationCase& c) {
-  const double max = c.metres(c.relation.parameters.max, "max").value_or(0.3);
+  const double max = c.metres(&RelationParameters::max).value_or(0);
   return each_target(c, [&](const Body& t) { return any_window(c, [&](const Face& window) { return below_window(c, t, window, max); }); });
 }
 
@@ -54,7 +53,7 @@ Finding check_FarFromWindow(const RelationCase& c) {
 }
 
 Finding check_NotBlocking(const RelationCase& c) {
-  const std::optional<double> depth = c.metres(c.relation.parameters.depth, "depth");
+  const std::optional<double> depth = c.metres(&RelationParameters::depth);
   const std::vector<const Face*> faces = named_or_all(c, c.view.openings, any_opening);
   if (faces.empty() && names_something(c)) return condition(false, "names neither a door nor a window");
   return each_target(c, [&](const Body& t) {

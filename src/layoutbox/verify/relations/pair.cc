@@ -12,18 +12,15 @@ namespace {
 
 constexpr double kTuckedAtLeast = 0.05;  // m
 
-double max_of(const RelationCase& c, double otherwise) { return c.metres(c.relation.parameters.max, "max").value_or(otherwise); }
-
 Finding beyond_within_reach(const RelationCase& c, Side side) {
   return each_pair(c, [&](const Body& t, const RelationReference& r) {
-    return all_of({gap_within(c, t, r, std::nullopt, max_of(c, 1.5)), beyond(c, t, r, side)});
+    return all_of({gap_within(c, t, r, std::nullopt, max_of(c)), beyond(c, t, r, side)});
   });
 }
 
 Finding distances(const RelationCase& c) {
-  const RelationParameters& given = c.relation.parameters;
   return each_pair(c, [&](const Body& t, const RelationReference& r) {
-    return gap_within(c, t, r, c.metres(given.min, "min"), c.metres(given.max, "max"));
+    return gap_within(c, t, r, c.metres(&RelationParameters::min), c.metres(&RelationParameters::max));
   });
 }
 
@@ -96,9 +93,9 @@ Finding check_AtFootOf(const RelationCase& c) { return beyond_within_reach(c, Si
 
 Finding check_InFrontOf(const RelationCase& c) {
   return each_pair(c, [&](const Body& t, const RelationReference& r) {
-    if (r.face == nullptr) return all_of({gap_within(c, t, r, std::nullopt, max_of(c, 1.5)), beyond(c, t, r, Side::kFront)});
+    if (r.face == nullptr) return all_of({gap_within(c, t, r, std::nullopt, max_of(c)), beyond(c, t, r, Side::kFront)});
     return all_of({at_most(fmt::format("distance between {} in plan", name_of_pair(t, r)), distance(t.shape.plan, r.shape().plan),
-                           max_of(c, 1.5), c.slack()),
+                           max_of(c), c.slack()),
                    beyond(c, t, r, Side::kFront)});
   });
 }
@@ -113,7 +110,7 @@ Finding check_Touching(const RelationCase& c) {
 }
 
 Finding check_EdgeAlign(const RelationCase& c) {
-  const Edge edge = c.relation.parameters.edge.value_or(Edge::kFront);
+  const Edge edge = or_default(c.relation, &RelationParameters::edge);
   return each_pair(c, [&](const Body& t, const RelationReference& r) {
     if (r.is_place()) return condition(false, r.id + " has no edges");
     const Frame& frame = r.shape().frame;
@@ -152,10 +149,9 @@ constexpr std::size_t kMostAbreast = 3;
 
 // Several things opposite one stand there as a group: its middle is looked at, nobody stands behind another.
 Finding opposite_group(const RelationCase& c, const RelationReference& r) {
-  const RelationParameters& given = c.relation.parameters;
   std::vector<Finding> findings;
   for (const Body* t : c.targets) {
-    findings.push_back(gap_within(c, *t, r, c.metres(given.min, "min"), c.metres(given.max, "max")));
+    findings.push_back(gap_within(c, *t, r, c.metres(&RelationParameters::min), c.metres(&RelationParameters::max)));
     findings.push_back(any_of({looks_at(*t, r, c.view), looks_with_group(c, *t, r)}, {}));
   }
   const Frame& frame = r.body->has_front ? r.shape().frame : c.targets.front()->own_frame;
@@ -183,7 +179,6 @@ Finding opposite_group(const RelationCase& c, const RelationReference& r) {
 }  // namespace
 
 Finding check_Opposite(const RelationCase& c) {
-  const RelationParameters& given = c.relation.parameters;
   if (c.targets.size() > 1 &&
       std::any_of(c.references.begin(), c.references.end(), [](const RelationReference& r) { return r.body != nullptr; })) {
     std::vector<Finding> findings;
@@ -195,7 +190,7 @@ Finding check_Opposite(const RelationCase& c) {
   return each_pair(c, [&](const Body& t, const RelationReference& r) {
     if (r.is_place()) return condition(false, "nothing is opposite " + r.id);
     if (r.face != nullptr) return all_of({looks_at(t, r, c.view), in_line(c, t, r.shape(), r.shape().frame.x)});
-    return all_of({gap_within(c, t, r, c.metres(given.min, "min"), c.metres(given.max, "max")), looks_at(t, r, c.view),
+    return all_of({gap_within(c, t, r, c.metres(&RelationParameters::min), c.metres(&RelationParameters::max)), looks_at(t, r, c.view),
                    looks_at(*r.body, {t.id(), &t, nullptr}, c.view)});
   });
 }
@@ -217,7 +212,7 @@ Finding check_CenteredOn(const RelationCase& c) {
 }
 
 Finding check_AtHeadOf(const RelationCase& c) {
-  const double max = max_of(c, 0.5);
+  const double max = max_of(c);
   return each_pair(c, [&](const Body& t, const RelationReference& r) {
     if (r.body == nullptr) return condition(false, r.id + " has no head");
     if (used_all_round(*r.body)) return alongside(c, t, r, Side::kShort, max);
@@ -226,8 +221,8 @@ Finding check_AtHeadOf(const RelationCase& c) {
 }
 
 Finding check_AlongSide(const RelationCase& c) {
-  const Side side = c.relation.parameters.side.value_or(Side::kLong);
-  return each_pair(c, [&](const Body& t, const RelationReference& r) { return alongside(c, t, r, side, max_of(c, 0.5)); });
+  const Side side = or_default(c.relation, &RelationParameters::side);
+  return each_pair(c, [&](const Body& t, const RelationReference& r) { return alongside(c, t, r, side, max_of(c)); });
 }
 
 Finding check_TuckedUnder(const RelationCase& c) {

@@ -52,7 +52,7 @@ Finding aligned_along(const RelationCase& c, Axis axis, Edge edge) {
 }
 
 Finding aligned(const RelationCase& c) {
-  const Edge edge = c.relation.parameters.edge.value_or(Edge::kCenter);
+  const Edge edge = or_default(c.relation, &RelationParameters::edge);
   if (edge == Edge::kLeft || edge == Edge::kRight) return aligned_along(c, Axis::kX, edge);
   if (edge == Edge::kFront || edge == Edge::kBack) return aligned_along(c, Axis::kY, edge);
   if (edge == Edge::kBottom || edge == Edge::kTop) return aligned_along(c, Axis::kZ, edge);
@@ -63,7 +63,7 @@ Finding aligned(const RelationCase& c) {
 }  // namespace
 
 Finding check_Offset(const RelationCase& c) {
-  const double wanted = c.metres(c.relation.parameters.distance, "distance").value_or(0);
+  const double wanted = c.metres(&RelationParameters::distance).value_or(0);
   return each_pair(c, [&](const Body& t, const RelationReference& r) {
     const Axis axis = offset_axis(c, t, r);
     if (along_wall(r, axis)) {

@@ -17,7 +17,7 @@ std::vector<Side> back_of(const Body& body) {
   return {Side::kBack};
 }
 
-double wall_gap(const RelationCase& c) { return c.metres(c.relation.parameters.gap, "gap").value_or(0.02); }
+double wall_gap(const RelationCase& c) { return c.metres(&RelationParameters::gap).value_or(0); }
 
 // Walls that follow one another round the floor and form an inner corner.
 bool meet_in_corner(const Face& a, const Face& b) {
@@ -58,7 +58,7 @@ Finding check_SideAgainstWall(const RelationCase& c) {
 }
 
 Finding check_Corner(const RelationCase& c) {
-  const double max = c.metres(c.relation.parameters.max, "max").value_or(0.5);
+  const double max = c.metres(&RelationParameters::max).value_or(0);
   const auto is_wall = [](const Face& face) { return face.opening == nullptr; };
   const std::vector<const Face*> named = named_or_all(c, c.view.walls, is_wall);
   const bool all_walls = named.size() == c.view.walls.size();
@@ -80,7 +80,7 @@ Finding check_Corner(const RelationCase& c) {
 }
 
 Finding check_CenterOfRoom(const RelationCase& c) {
-  const double max = c.metres(c.relation.parameters.max, "max").value_or(0.05);
+  const double max = c.metres(&RelationParameters::max).value_or(0);
   return all_of(
       {at_most("off the middle of the room along x by", std::abs(common_extent(c, {1, 0}).mid() - c.view.floor_x.mid()), max, c.slack()),
        at_most("off the middle of the room along y by", std::abs(common_extent(c, {0, 1}).mid() - c.view.floor_y.mid()), max, c.slack())});
@@ -117,7 +117,7 @@ Finding check_InRegion(const RelationCase& c) {
 }
 
 Finding check_OnWall(const RelationCase& c) {
-  const std::optional<double> wanted = c.metres(c.relation.parameters.height, "height");
+  const std::optional<double> wanted = c.metres(&RelationParameters::height);
   return each_target(c, [&](const Body& t) {
     return any_wall(c, [&](const Face& wall) {
       const bool held = c.view.find_wall(t.object->supported_by) == &wall;
@@ -138,7 +138,7 @@ Finding check_OnCeiling(const RelationCase& c) {
 }
 
 Finding check_AwayFromWall(const RelationCase& c) {
-  const double min = c.metres(c.relation.parameters.min, "min").value_or(0.5);
+  const double min = c.metres(&RelationParameters::min).value_or(0);
   const auto walls = named_or_all(c, c.view.walls, [](const Face& face) { return face.opening == nullptr; });
   if (walls.empty()) return condition(false, "there is no such wall");
   return each_target(c, [&](const Body& t) {

@@ -15,7 +15,7 @@ constexpr double kClearDepth = 0.6;    // m, where neither the relation nor the 
 constexpr double kStandingRoom = 2.0;  // m of height
 
 double depth_wanted(const RelationCase& c, const Body& t, Side side) {
-  if (const std::optional<double> given = c.metres(c.relation.parameters.depth, "depth")) return *given;
+  if (const std::optional<double> given = c.metres(&RelationParameters::depth)) return *given;
   const auto found = t.entry->clearance.find(side);
   return found == t.entry->clearance.end() ? kClearDepth : found->second / 1000.0;
 }
@@ -67,7 +67,7 @@ Finding out_of_region(const RelationCase& c, const Body& t, RoomRegion region) {
 }  // namespace
 
 Finding check_Clearance(const RelationCase& c) {
-  const Side side = c.relation.parameters.side.value_or(Side::kFront);
+  const Side side = or_default(c.relation, &RelationParameters::side);
   return each_target(c, [&](const Body& t) {
     std::vector<Finding> findings;
     for (const Side one : sides_named(t, side)) findings.push_back(strip_free(c, t, one));
@@ -76,7 +76,7 @@ Finding check_Clearance(const RelationCase& c) {
 }
 
 Finding check_Reachable(const RelationCase& c) {
-  const double width = c.metres(c.relation.parameters.width, "width").value_or(0.6);
+  const double width = c.metres(&RelationParameters::width).value_or(0);
   return each_target(c, [&](const Body& t) {
     const bool way = reachable(c.view, t, width);
     return condition(way, fmt::format("there is {} way {} m wide from the door to {}", way ? "a" : "no", figure(width), t.id()));
@@ -85,7 +85,7 @@ Finding check_Reachable(const RelationCase& c) {
 
 Finding check_KeepClear(const RelationCase& c) {
   const RelationParameters& given = c.relation.parameters;
-  const std::optional<double> depth = c.metres(given.depth, "depth");
+  const std::optional<double> depth = c.metres(&RelationParameters::depth);
   if (c.references.empty()) {
     if (!given.region) return condition(false, "keepClear names neither a thing nor a region to keep clear of");
     return each_target(c, [&](const Body& t) { return out_of_region(c, t, *given.region); });

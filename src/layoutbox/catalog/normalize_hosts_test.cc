@@ -1,0 +1,73 @@
+// What holds other things is large enough for them.
+#include <gmock/gmock.h>
+
+#include "layoutbox/catalog/normalize.h"
+#include "layoutbox/catalog/test_kinds.h"
+
+namespace layoutbox {
+namespace {
+
+using namespace test_kinds;
+
+TEST(NormalizeHosts, GrowForWhatTheyHold) {
+  const auto width = [](int lamps) {
+    std::vector<SceneObject> objects{object("desk_1", "desk")};
+    std::vector<Relation> relations;
+    for (int i = 0; i < lamps; ++i) {
+      objects.push_back(object("lamp_" + std::to_string(i), "lamp"));
+      relations.push_back(relation(RelationType::kOn, {objects.back().id}, {"desk_1"}));
+    }
+    return normalized(scene_of(objects, relations)).find_object("desk_1")->size->usual.width;
+  };
+  EXPECT_EQ(width(1), 1200);
+  EXPECT_EQ(width(3), 1200);
+  EXPECT_GT(width(6), 1200);
+  EXPECT_EQ(width(40), 1600);  // its range is the limit
+}
+
+// A little beyond its range, where all then finds room; that a host is larger than such things mostly are beats leaving things out.
+TEST(NormalizeHosts, GrowBeyondTheirRangeWhereThatIsEnough) {
+  std::vector<SceneObject> objects{object("desk_1", "desk")};
+  std::vector<Relation> relations;
+  for (int i = 0; i < 16; ++i) {
+    objects.push_back(object("lamp_" + std::to_string(i), "lamp"));
+    relations.push_back(relation(RelationType::kOn, {objects.back().id}, {"desk_1"}));
+  }
+  const Mm width = normalized(scene_of(objects, relations)).find_object("desk_1")->size->usual.width;
+  EXPECT_GT(width, 1600);
+  EXPECT_LE(width, 2400);
+}
+
+TEST(NormalizeHosts, ASizeThatWasGivenStays) {
+  SceneObject desk = object("desk_1", "desk");
+  desk.size = SizeRange{{1000, 500, 750}, {1000, 500, 750}, {1000, 500, 750}};
+  desk.size_source = SizeSource::kUser;
+  std::vector<SceneObject> objects{desk};
+  std::vector<Relation> relations;
+  for (int i = 0; i < 8; ++i) {
+    objects.push_back(object("lamp_" + std::to_string(i), "lamp"));
+    relations.push_back(relation(RelationType::kOn, {objects.back().id}, {"desk_1"}));
+  }
+  EXPECT_EQ(normalized(scene_of(objects, relations)).find_object("desk_1")->size->usual.width, 1000);
+}
+
+TEST(NormalizeHosts, ATableSeatsAllThatSitAroundIt) {
+  std::vector<SceneObject> objects{object("desk_1", "desk")};
+  Relation around = relation(RelationType::kAround, {}, {"desk_1"});
+  for (int i = 0; i < 7; ++i) {
+    objects.push_back(object("plant_" + std::to_string(i), "plant"));
+    around.targets.push_back(objects.back().id);
+  }
+  const Size size = normalized(scene_of(objects, {around})).find_object("desk_1")->size->usual;
+  EXPECT_GE(2 * (size.width + size.depth), 7 * 600);
+}
+
+TEST(NormalizeHosts, ABarForTwoKeepsItsDepth) {
+  const SceneGraph scene =
+      with_whole_catalogue(scene_of({object("bar_1", "bar_counter"), object("stool_1", "bar_stool"), object("stool_2", "bar_stool")},
+                                    {relation(RelationType::kInFrontOf, {"stool_1", "stool_2"}, {"bar_1"})}));
+  EXPECT_GE(scene.objects[0].size->usual.depth, 500);
+}
+
+}  // namespace
+}  // namespace layoutbox

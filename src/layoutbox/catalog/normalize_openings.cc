@@ -1,0 +1,162 @@
+// Doors and windows: how wide they are, where in their walls, and one of each where nobody spoke of any.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "layoutbox/catalog/normalize_steps.h"
+#include "layoutbox/catalog/opening_look.h"
+#include "layoutbox/scene/relation_traits.h"
+#include "layoutbox/scene/shell.h"
+
+namespace layoutbox {
+namespace {
+
+constexpr double kShareOfWindow = 0.5, kShareOfWideWindow = 0.75;  // of the longest wall
+constexpr Mm kWidestWindow = 3000, kBetweenUnderWindow = 100;
+constexpr Mm kSeatsBeside = 1000;                     // and their seats, of tables
+constexpr Mm kBesideGlass = 120, kAtWholeWall = 500;  // of walls of glass: what is left beside them
+
+class OpeningNormalizer {
+ public:
+  explicit OpeningNormalizer(NormalizeContext& context) : context_(context), room_(context.scene.room) {}
+
+  void run() {
+    settle_openings();
+    if (room_.openings.empty() && !room_.openings_given && context_.options.default_openings) add_default_openings();
+    for (Error& error : check_openings(room_)) context_.errors.push_back(std::move(error));
+  }
+
+ private:
+  void settle_openings() {
+    for (std::size_t i = 0; i < room_.openings.size(); ++i) {
+      Opening& opening = room_.openings[i];
+      if (const Wall* wall = context_.scene.find_wall(opening.wall); wall != nullptr && !opening.wall.empty()) opening.wall = wall->id;
+      if (opening.id.empty()) opening.id = unused_id(context_.scene, fmt::format("{}{}", name_of(opening.type), i + 1));
+      take_whole_wall(opening);
+      settle_place(opening);
+      if (opening.asked()) continue;
+      const Mm wanted = width_of_what_is_under(opening);
+      fit_assumed(opening, wanted > opening.width ? kShareOfWideWindow : kShareOfWindow,
+                  std::max(opening.width, std::min(wanted, kWidestWindow)));
+    }
+    for (const Wall& wall : room_.walls) share_wall(wall);
+  }
+
+  // Several windows of one wall that are together wider than it share it alike.
+  void share_wall(const Wall& wall) {
+    constexpr Mm kBetween = 100, kLeastWindow = 300;
+    std::vector<Opening*> windows;
+    Mm taken = kBetween;
+    for (Opening& opening : room_.openings) {
+      if (opening.wall != wall.id) continue;
+      taken += kBetween + opening.width;
+      if (opening.type == OpeningType::kWindow && !opening.offset) windows.push_back(&opening);
+    }
+    const Mm over = taken - static_cast<Mm>(length_of(wall));
+    if (over <= 0 || windows.size() < 2) return;
+    for (Opening* window : windows) {
+      const Mm less = (over / static_cast<Mm>(windows.size()) / kGridMm + 1) * kGridMm;
+      window->width = std::max(kLeastWindow, window->width - less);
+      context_.note("filled", fmt::format("{} is {} wide, so that all windows of {} fit", window->id, metres_text(window->width), wall.id),
+                    "/room/openings");
+    }
+  }
+
+  // In the middle of its wall, or a hand's breadth off the corner that is named.
+  void settle_place(Opening& opening) const {
+    constexpr Mm kOff = 100;
+    const Wall* wall = opening.place.empty() || opening.wall.empty() || opening.offset ? nullptr : context_.scene.find_wall(opening.wall);
+    if (wall == nullptr) return;
+    const Mm room = std::max(0, static_cast<Mm>(length_of(*wall)) - opening.width);
+    if (opening.place == "middle") {
+      opening.offset = room / 2 / kGridMm * kGridMm;
+      return;
+    }
+    const auto says = [&](std::string_view word) { return opening.place.find(word) != std::string::npos ? 1 : 0; };
+    const Point along{wall->end.x - wall->start.x, wall->end.y - wall->start.y};
+    const double toward = 1.0 * along.x * (says("right") - says("left")) + 1.0 * along.y * (says("back") - says("front"));
+    if (toward != 0) opening.offset = toward < 0 ? std::min(kOff, room) : std::max(0, room - kOff);
+  }
+
+  // A wall of glass is as wide and high as its wall.
+  void take_whole_wall(Opening& opening) const {
+    const Wall* wall = opening.wall.empty() ? nullptr : context_.scene.find_wall(opening.wall);
+    if (wall == nullptr || opening.type != OpeningType::kWindow || !look_of(opening).whole) return;
+    const Mm length = static_cast<Mm>(length_of(*wall));
+    if (opening.width < length - kAtWholeWall || length < 4 * kBesideGlass) return;
+    opening.width = (length - 2 * kBesideGlass) / kGridMm * kGridMm;
+    opening.offset = (length - opening.width) / 2;
+    opening.height = room_.height - opening.sill - kBesideGlass;
+  }
+
+  // Of what is told to stand side by side under a window whose width is ours to choose: two desks want more of it than one.
+  Mm width_of_what_is_under(const Opening& window) const {
+    Mm width = 0;
+    std::vector<std::string> seen;
+    for (const Relation& relation : context_.scene.relations) {
+      if (relation.type != RelationType::kUnderWindow || window.type != OpeningType::kWindow) continue;
+      const bool here = relation.references.empty() || std::ranges::find(relation.references, window.id) != relation.references.end();
+      for (const std::string& id : relation.targets) {
+        const SceneObject* object = context_.scene.find_object(id);
+        if (!here || object == nullptr || !object->size || std::ranges::find(seen, id) != seen.end()) continue;
+        seen.push_back(id);
+        width += object->size->usual.width + (is_sat_round(id) ? kSeatsBeside : kBetweenUnderWindow);
+      }
+    }
+    return width;
+  }
+
+  bool is_sat_round(const std::string& id) const {
+    return std::ranges::any_of(context_.scene.relations, [&](const Relation& relation) {
+      return traits_of(relation.type).around && std::ranges::find(relation.references, id) != relation.references.end();
+    });
+  }
+
+  Mm longest_wall() const {
+    Mm longest = 0;
+    for (const Wall& wall : room_.walls) longest = std::max(longest, static_cast<Mm>(length_of(wall)));
+    return longest;
+  }
+
+  // Defaults give way to small rooms.
+  void fit_assumed(Opening& opening, double share_of_window, Mm width) const {
+    const Mm longest = longest_wall();
+    const double share = opening.type == OpeningType::kWindow ? share_of_window : 0.8;
+    opening.width = std::min(width, static_cast<Mm>(longest * share) / kGridMm * kGridMm);
+    if (opening.type != OpeningType::kWindow) {
+      opening.height = std::min(opening.height, room_.height - 50);
+    } else if (opening.sill + opening.height > room_.height - 200) {
+      opening.sill = std::min(opening.sill, room_.height / 3 / kGridMm * kGridMm);
+      opening.height = std::min(opening.height, room_.height - 200 - opening.sill);
+    }
+  }
+
+  void add_default_openings() {
+    Opening door;
+    door.id = unused_id(context_.scene, "door1");
+    door.origin = Origin::kAssumed;
+    fit_assumed(door, kShareOfWindow, door.width);
+    room_.openings.push_back(door);
+
+    Opening window;
+    window.id = unused_id(context_.scene, "window1");
+    window.type = OpeningType::kWindow;
+    window.width = window.height = 1200;
+    window.sill = 900;
+    window.swing = Swing::kNone;
+    window.origin = Origin::kAssumed;
+    const Mm wanted = std::min(width_of_what_is_under(window), kWidestWindow);
+    fit_assumed(window, wanted > window.width ? kShareOfWideWindow : kShareOfWindow, std::max(window.width, wanted));
+    if (window.height >= 300 && window.width >= 300) room_.openings.push_back(window);
+    context_.note("filled", "no door or window is named: the room gets one of each, where they are least in the way", "/room/openings");
+  }
+
+  NormalizeContext& context_;
+  Room& room_;
+};
+
+}  // namespace
+
+void normalize_openings(NormalizeContext& context) { OpeningNormalizer(context).run(); }
+
+}  // namespace layoutbox

@@ -1,0 +1,173 @@
+// The moves of an improvement, and what they gain.
+#include "layoutbox/solve/objective/cost.h"
+#include "layoutbox/solve/search/search.h"
+
+namespace layoutbox::placement {
+namespace {
+
+constexpr std::int64_t kNoiseOfShaking = 400;   // points
+constexpr std::int64_t kShaken = 3;             // things at once, at most
+constexpr std::int64_t kPushing = 60 * kPoint;  // what it takes to push another thing away
+
+// What any of them is told to face, then those that face it, then the others.
+std::vector<std::string> in_facing_order(const SceneGraph& scene, const std::vector<std::string>& ids) {
+  std::vector<std::string> order;
+  const auto add = [&](const std::string& id) {
+    if (std::find(order.begin(), order.end(), id) == order.end()) order.push_back(id);
+  };
+  const auto is_member = [&](const std::string& id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); };
+  for (const bool faced : {true, false}) {
+    for (const Relation& r : scene.relations) {
+      if (r.type != RelationType::kFacing || r.targets.empty() || !is_member(r.targets[0])) continue;
+      for (const std::string& id : faced ? r.references : r.targets) {
+        if (!faced || !is_member(id)) add(id);
+      }
+    }
+  }
+  for (const std::string& id : ids) add(id);
+  return order;
+}
+
+}  // namespace
+
+void KnownCosts::are_of(const PlacementModel& model, const Placements& placements) {
+  if (of == placements && constraints.size() == model.constraints.size()) return;
+  std::vector<int> moved;
+  bool fresh = constraints.size() != model.constraints.size();
+  for (std::size_t i = 0; i < placements.size() && !fresh; ++i) {
+    if (of[i] == placements[i]) continue;
+    moved.push_back(static_cast<int>(i));
+    fresh = of[i].state < 0 || placements[i].state < 0;
+  }
+  if (fresh) {
+    constraints.assign(model.constraints.size(), std::nullopt);
+    access.assign(model.items.size(), std::nullopt);
+  } else {
+    for (const int item : moved) {
+      for (const int c : model.touching[item]) constraints[static_cast<std::size_t>(c)].reset();
+    }
+    for (const int item : access_touched(model, of, placements, moved)) access[static_cast<std::size_t>(item)].reset();
+  }
+  of = placements;
+}
+
+// How much less what touches the group costs than before it moved; ways to walk apart. No more than `least_gain`: perhaps not all of the
+// loss, but so much.
+std::int64_t Search::gain_since(const Placements& before, const std::vector<int>& group, std::int64_t least_gain) {
+  known_.are_of(model_, before);
+  std::vector<int> constraints;
+  for (const int item : group) constraints.insert(constraints.end(), model_.touching[item].begin(), model_.touching[item].end());
+  std::sort(constraints.begin(), constraints.end());
+  constraints.erase(std::unique(constraints.begin(), constraints.end()), constraints.end());
+  const std::vector<int> reached = access_touched(model_, before, placements_, group);
+  std::int64_t gain = 0;
+  for (const int item : group) {
+    const std::vector<State>& states = model_.items[item].states;
+    gain += kPoint * kCostWeights.size_step * (states[before[item].state].size_step - states[placements_[item].state].size_step);
+  }
+  // All that it cost before, known for the most part, then what it costs now, as long as that may be worth it.
+  for (const int c : constraints) gain += known_.of_constraint(model_, c);
+  for (const int item : reached) gain += known_.of_access(model_, item);
+  for (std::size_t i = 0; i < constraints.size() && gain > least_gain; ++i)
+    gain -= constraint_cost(model_, model_.constraints[constraints[i]], placements_);
+  for (std::size_t i = 0; i < reached.size() && gain > least_gain; ++i) gain -= access_cost_of(model_, reached[i], placements_);
+  return gain;
+}
+
+bool Search::move(const std::vector<int>& group, std::int64_t noise, Budget& budget) {
+  const Placements before = placements_;
+  for (const int member : group) placements_[member] = {};
+  bool all = true;
+  for (const int member : group) all = all && !budget.stopped && place(member, noise, budget);
+  if (all && is_better(before, group, budget)) return true;
+  placements_ = before;
+  return false;
+}
+
+// Whether what moved since is worth it.
+bool Search::is_better(const Placements& before, const std::vector<int>& moved, Budget& budget, std::int64_t least_gain) {
+  if (placements_ == before) return false;
+  const std::int64_t gain = gain_since(before, moved, least_gain);
+  budget.count(100);
+  // The ways are costly to measure: only for what is better, or nearly as good, without them.
+  if (gain <= least_gain) return false;
+  budget.count(900);
+  const std::int64_t ways_after = ways_cost(model_, placements_, gain + ways_);
+  if (ways_after >= gain + ways_) return false;
+  ways_ = ways_after;
+  return true;
+}
+
+// An item goes where it is best though others stand there; those look for new places.
+bool Search::push(int item, Budget& budget) {
+  const Placements before = placements_;
+  std::vector<int> moved;
+  take_out(item, moved);
+  std::vector<std::int64_t> price(model_.items.size());
+  for (std::size_t i = 0; i < price.size(); ++i) price[i] = stays(model_.items[i]) ? -1 : kPushing;
+  CandidateOptions options;
+  options.eject_price = &price;
+  options.noise = kPushing * (1 + random_.below(3));
+  options.random = &random_;
+  options.most_size_step = most_size_step_;
+  const std::vector<Candidate> found = finder_.find(placements_, item, options, budget);
+  bool all = !found.empty();
+  if (all) {
+    placements_[item] = found[0].placement;
+    for (const int other : found[0].hit) take_out(other, moved);
+    all = placements_[item].state >= 0;  // else it hung on what it pushed out
+  }
+  for (std::size_t i = 0; i < moved.size() && all; ++i) all = moved[i] == item || place(moved[i], 0, budget);
+  if (all && is_better(before, moved, budget)) return true;
+  placements_ = before;
+  return false;
+}
+
+// Rows and grids, each with what they look at and all that hangs on them: bound to one another, they can only move together.
+std::vector<std::vector<int>> Search::formations() const {
+  constexpr std::size_t kMany = 4;
+  std::vector<std::vector<int>> found;
+  for (const Relation& r : model_.scene->relations) {
+    if ((r.type != RelationType::kGrid && r.type != RelationType::kRow) || r.targets.size() < kMany) continue;
+    std::vector<int> group;
+    bool movable = true;
+    for (const std::string& id : in_facing_order(*model_.scene, r.targets)) {
+      std::vector<int> more;
+      const int item = model_.find_item(id);
+      if (item < 0 || placements_[item].state < 0) continue;
+      group_of(dependencies_, placements_, item, more);
+      for (const int m : more) {
+        movable = movable && !stays(model_.items[m]);
+        if (std::find(group.begin(), group.end(), m) == group.end()) group.push_back(m);
+      }
+    }
+    if (movable && group.size() >= kMany) found.push_back(std::move(group));
+  }
+  return found;
+}
+
+std::vector<int> Search::movable() const {
+  std::vector<int> found;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    if (placements_[i].state >= 0 && !stays(model_.items[i])) found.push_back(static_cast<int>(i));
+  }
+  return found;
+}
+
+bool Search::shake(Budget& budget) {
+  const std::vector<int> all = movable();
+  if (all.empty()) return false;
+  const Placements before = placements_;
+  std::vector<int> out;
+  for (std::int64_t k = random_.below(kShaken); k >= 0; --k)
+    take_out(all[static_cast<std::size_t>(random_.below(static_cast<std::int64_t>(all.size())))], out);
+  const std::int64_t noise = kPoint * (1 + random_.below(kNoiseOfShaking));
+  for (const int item : order(bonus_)) {
+    if (placements_[item].state >= 0 || (!budget.stopped && place(item, noise, budget))) continue;
+    placements_ = before;
+    return false;
+  }
+  return true;
+}
+
+}  // namespace layoutbox::placement
