@@ -303,6 +303,18 @@ def check_models(folder: Path, entries: list[dict]) -> Iterator[str]:
                 yield f"model {name}: '{line}': {error}"
 
 
+def check_groups(folder: Path, ids: dict[str, dict]) -> Iterator[str]:
+    """What hangs over what, what rugs lie under and what stands by doors are kinds that there are."""
+    path = folder / "groups.json"
+    if not path.exists():
+        return
+    groups = json.loads(path.read_text(encoding="utf-8"))
+    rows = groups.get("hangs", []) + groups.get("lies", [])
+    named = [kind for row in rows for kind in [row["is"], *row["over"]]] + groups.get("by_door", [])
+    yield from (f"groups.json: there is no entry '{kind}'" for kind in named if kind not in ids)
+    yield from (f"groups.json: mount '{row['mount']}'" for row in rows if row.get("mount", "wall") not in MOUNTS)
+
+
 def check(folder: Path) -> tuple[list[str], int]:
     """All faults of the catalogue in a folder, and the number of its entries."""
     entries, rooms, families, words = [], [], {}, {}
@@ -316,7 +328,7 @@ def check(folder: Path) -> tuple[list[str], int]:
     ids = {entry["id"]: entry for entry in entries}
     room_ids = {room["id"] for room in rooms}
     faults = list(check_like(folder, ids)) + list(check_words(entries)) + list(check_words(rooms)) + list(check_rooms(rooms, ids))
-    faults += [*check_models(folder, entries), *check_uses(folder, ids, room_ids)]
+    faults += [*check_models(folder, entries), *check_uses(folder, ids, room_ids), *check_groups(folder, ids)]
     for entry in entries:
         own = [*check_entry(entry, ids, room_ids, families, words), *check_ancestors(entry, ids)]
         faults += [f"{entry['id']}: {fault}" for fault in own]

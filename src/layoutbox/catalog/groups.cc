@@ -24,6 +24,16 @@ std::vector<SizeForSeats> sizes(const Json& value, const char* key) {
   return rows;
 }
 
+std::vector<UsuallyAt> usual_places(const Json& rows) {
+  std::vector<UsuallyAt> usual;
+  for (const Json& value : rows) {
+    UsuallyAt row{value.at("is").get<std::string>(), {}, strings(value, "over")};
+    if (value.contains("mount")) row.mount = mount_from_name(value.at("mount").get<std::string>());
+    usual.push_back(std::move(row));
+  }
+  return usual;
+}
+
 Groups read_groups() {
   const Json data = Json::parse(embedded::groups_json);
   Groups groups;
@@ -42,6 +52,9 @@ Groups read_groups() {
       zone.means.emplace_back(row.at(0).get<std::string>(), row.at(1).get<std::string>());
     groups.zones.push_back(std::move(zone));
   }
+  groups.by_door = strings(data, "by_door");
+  groups.hangs = usual_places(data.at("hangs"));
+  groups.lies = usual_places(data.at("lies"));
   const Json& fill = data.at("fill");
   groups.fill = {fill.at("bare").get<double>(),    fill.at("until").get<double>(),
                  fill.at("hardly_any").get<int>(), fill.at("usually_covered").get<double>(),
@@ -61,6 +74,14 @@ Groups read_groups() {
 const Groups& Groups::builtin() {
   static const Groups groups = read_groups();
   return groups;
+}
+
+const std::vector<std::string>& Groups::usual_at(const std::vector<UsuallyAt>& rows, const Catalog& catalog, const CatalogEntry& entry,
+                                                 Mount mount) {
+  static const std::vector<std::string> nothing;
+  const auto found = std::ranges::find_if(
+      rows, [&](const UsuallyAt& row) { return (!row.mount || row.mount == mount) && catalog.is_a(entry.id, row.what); });
+  return found == rows.end() ? nothing : found->at;
 }
 
 const Seating* Groups::seating_at(const Catalog& catalog, const CatalogEntry& entry, const std::string& room) const {

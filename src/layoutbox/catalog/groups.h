@@ -33,6 +33,13 @@ struct Companion {
   std::vector<std::string> rooms;   // in these kinds of room only; empty: in all
 };
 
+// Over what a thing usually hangs, or under what it lies; best first.
+struct UsuallyAt {
+  std::string what;            // a kind
+  std::optional<Mount> mount;  // only so; none: however it is there
+  std::vector<std::string> at;
+};
+
 // A room is bare below the first share of its floor that is covered; its usual furniture comes up to the second. Where hardly any
 // furniture is named, the text says what kind of room it is, and no list of what is in it: it is furnished as such rooms are.
 struct Filling {
@@ -52,9 +59,11 @@ struct ZoneUse {
 };
 
 struct Groups {
-  std::vector<Seating> seatings;      // special kinds first
-  std::vector<Companion> companions;  // in this order
-  std::vector<ZoneUse> zones;         // special ones first
+  std::vector<Seating> seatings;       // special kinds first
+  std::vector<Companion> companions;   // in this order
+  std::vector<ZoneUse> zones;          // special ones first
+  std::vector<std::string> by_door;    // kinds that stand near a door
+  std::vector<UsuallyAt> hangs, lies;  // special kinds first
   Filling fill;
   std::vector<std::string> carried;             // kinds that get something to stand on where nothing there carries them
   std::vector<std::string> sat_at;              // words by which a table is one to sit at
@@ -63,6 +72,9 @@ struct Groups {
 
   // The first seating whose kind `entry` is, in a room of that kind (empty: a rule for all rooms). Null: none.
   const Seating* seating_at(const Catalog& catalog, const CatalogEntry& entry, const std::string& room) const;
+  // The kinds of the first row that fits; none: nothing.
+  static const std::vector<std::string>& usual_at(const std::vector<UsuallyAt>& rows, const Catalog& catalog, const CatalogEntry& entry,
+                                                  Mount mount);
   static const Groups& builtin();
 };
 

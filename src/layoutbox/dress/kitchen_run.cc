@@ -14,6 +14,7 @@ constexpr double kTall = 1200;                                    // a unit that
 constexpr double kNarrowest = 150, kOfUse = 300, kCabinet = 700;  // widths of cabinets: a pull-out, the least at an end, the usual
 constexpr double kInCorner = 350;                                 // what is narrower is part of the corner unit
 constexpr double kWidestGap = 2400;                               // between two units that become one run
+constexpr double kFormlessGap = 1200;                             // from a run to the corner where it meets the next wall's
 constexpr double kLeastTurn = 600, kSaidTurn = 1200, kMostTurn = 2400;
 constexpr double kLeftOver = 450;                                                     // of wall beyond a run that is filled as well
 constexpr double kShortest = 3000, kLongest = 5000, kSmallRoom = 6, kLargeRoom = 16;  // mm of run in rooms of so many m²
@@ -31,6 +32,7 @@ class KitchenRun {
     if (main_ == nullptr) return;
     if (form_ == "L" || form_ == "U") open_corners();
     for (const DressedWall& wall : dresser_.room().walls()) close_gaps(wall);
+    for (const DressedWall& wall : dresser_.room().walls()) close_corner(wall);
     const double share =
         std::clamp((double(doubled_area(dresser_.layout().room.polygon)) / 2e6 - kSmallRoom) / (kLargeRoom - kSmallRoom), 0.0, 1.0);
     wanted_ = kShortest + share * (kLongest - kShortest) + (form_ == "L" ? kLeastTurn : form_ == "U" ? 2 * kLeastTurn : 0);
@@ -106,6 +108,46 @@ class KitchenRun {
     }
   }
 
+  // Two runs that nearly meet in a corner do: both are filled up to it, the corner itself is of the first.
+  void close_corner(const DressedWall& wall) {
+    const DressedWall* next = dresser_.room().next(wall);
+    if (next == nullptr) return;
+    const std::vector<KitchenUnit> before = units_at(dresser_, wall), after = units_at(dresser_, *next);
+    if (before.empty() || after.empty()) return;
+    if (before.back().object->size.height > kTall || after.front().object->size.height > kTall) return;
+    const double depth = size_.depth, edge = before.back().span.high, first = after.front().span.low;
+    const double here = wall.length - edge, most = depth + (form_.empty() ? kFormlessGap : kWidestGap);
+    if (here > most || first > most) return;
+    const bool taken = std::min(here, first) < kNarrowest;  // one of them stands in it
+    const PlacedObject& in = here < first ? *before.back().object : *after.front().object;
+    const std::string in_corner = in.id;
+    const bool may_be_blocked = in.origin == Origin::kAdded && dresser_.entry_of(in).is(Trait::kCounter);
+    if (taken && !may_be_blocked && !goes_round(here < first ? before.back() : after.front())) return;
+    const bool of_next = !taken && first < depth - kTouching;
+    const double wide = of_next ? first : here - depth < kInCorner ? here : depth;  // no chink, and none that cannot be stood before
+    const DressedWall& of = of_next ? *next : wall;
+    const double at = of_next ? 0 : wall.length - wide;
+    const Span up{edge, taken || of_next ? wall.length - depth : at}, on{depth, first};
+    const bool corner_free = taken || dresser_.room().is_free(of.box({at, at + wide}, {0, depth}, {0, double(size_.height)}), true);
+    if (!corner_free || !is_free(wall, up) || !is_free(*next, on)) return;
+    if (!taken) dresser_.add_at_wall("kitchen_corner_unit", row_.words, {static_cast<Mm>(wide), size_.depth, size_.height}, of, at, 0);
+    if (may_be_blocked && std::min(here, first) < depth) dresser_.use_from_no_side(in_corner);
+    place(wall, up);
+    place(*next, on);
+    ++corners_;
+  }
+
+  // A worktop, of which enough is left to stand before.
+  bool goes_round(const KitchenUnit& unit) const {
+    return unit.span.length() >= size_.depth + kOfUse && dresser_.entry_of(*unit.object).is(Trait::kCounter);
+  }
+
+  // All of it, where it is more than a chink.
+  bool is_free(const DressedWall& wall, const Span& whole) const {
+    return whole.length() < kTouching ||
+           std::ranges::any_of(free_at(wall), [&](const Span& span) { return span.low < whole.low + 1 && span.high > whole.high - 1; });
+  }
+
   // What is free beyond an end of a run, and round the corner there.
   struct End {
     const DressedWall* wall = nullptr;
@@ -176,7 +218,7 @@ class KitchenRun {
     std::ranges::stable_sort(ends, std::greater{}, [](const End& end) { return std::pair(end.turn > 0, end.straight + end.turn); });
     const double straight = ends[0].straight + ends[1].straight, missing = wanted_ - length();
     const bool short_of_wall = form_.empty() && missing - straight > kLeastTurn;
-    const int turns = form_ == "U" ? 2 : form_ == "L" || short_of_wall ? 1 : 0;
+    const int turns = (form_ == "U" ? 2 : form_ == "L" || short_of_wall ? 1 : 0) - corners_;
     int turned = 0;
     for (const End& end : ends) {
       if (turned < turns && end.turn > 0) {
@@ -212,6 +254,7 @@ class KitchenRun {
   std::string form_;
   const DressedWall* main_ = nullptr;
   double wanted_ = 0;
+  int corners_ = 0;  // that units meet in
 };
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "layoutbox/base/units.h"
+#include "layoutbox/catalog/groups.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
@@ -157,11 +159,34 @@ class PeopleReader {
     }
   }
 
+  // "a bar along the window, with stools": as many as it takes side by side.
+  void line_counter(const Mention& table) {
+    const CatalogEntry& entry = *table.noun.entry;
+    const std::string room = document_.rooms.empty() || document_.rooms.front().room == nullptr ? "" : document_.rooms.front().room->id;
+    const Seating* seating = entry.is(Trait::kCounter) ? Groups::builtin().seating_at(catalog_, entry, room) : nullptr;
+    if (seating == nullptr || seating->sizes.empty()) return;
+    Size size = entry.size.usual;
+    if (const auto& said = table.noun.size.width) size.width = mm_from_m(*said);
+    const int seats = seats_at_size(*seating, false, size) * static_cast<int>(table.items.size());
+    for (std::size_t m = 0; m < document_.mentions.size(); ++m) {
+      const NounPhrase& noun = mention(static_cast<int>(m)).noun;
+      const bool stools = noun.kind == NounKind::kObject && noun.entry != nullptr && noun.entry->is(Trait::kTableSeat);
+      const bool its_own = std::ranges::any_of(document_.links, [&](const Link& link) {
+        return link.kind == Link::Kind::kHave && contains(link.targets, static_cast<int>(m)) &&
+               std::ranges::any_of(link.references, [&](int reference) { return mention(reference).items == table.items; });
+      });
+      if (stools && noun.count == 0 && noun.plural && !noun.vague && its_own) grow(static_cast<int>(m), seats);
+    }
+  }
+
   void seat_table(int m) {
     const Mention table = mention(m);
     if (!table.introduces || table.noun.kind != NounKind::kObject || table.noun.entry == nullptr || !is_table(catalog_, table.noun)) return;
     const int seats = seats_said(table);
-    if (seats == 0) return;
+    if (seats == 0) {
+      line_counter(table);
+      return;
+    }
     if (seats == 2 && table.noun.entry->is(Trait::kDesk)) widen_for_two(m);
     if (seats_named(table, seats)) return;
     const CatalogEntry* seat = lexicon_.seat_at(*table.noun.entry);

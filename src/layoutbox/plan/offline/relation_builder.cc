@@ -74,6 +74,17 @@ bool RelationBuilder::repeats_known(const Link& link, R type, const std::vector<
   return false;
 }
 
+// Does it hang on a wall and is used there, in the room that the other leaves: a seat in a shower?
+static bool is_used_within(const Catalog& catalog, const SceneObject& object, const SceneObject& other) {
+  const CatalogEntry *thing = catalog.find(object.category), *host = catalog.find(other.category);
+  if (thing == nullptr || host == nullptr || thing->mount != Mount::kWall || thing->used_sides.empty()) return false;
+  const Size& size = thing->size.usual;
+  return std::ranges::any_of(spaces_at(*host, host->size.usual), [&](const Space& space) {
+    return space.max[0] - space.min[0] >= size.width && space.max[1] - space.min[1] >= size.depth && space.min[2] <= thing->hang_height &&
+           space.max[2] >= thing->hang_height + size.height;
+  });
+}
+
 void RelationBuilder::add(const Link& link, R type, std::vector<std::string> targets, std::vector<std::string> references,
                           const PhraseSense& sense) {
   if (targets.empty()) return;
@@ -85,6 +96,10 @@ void RelationBuilder::add(const Link& link, R type, std::vector<std::string> tar
   if (type == R::kBetween && references.size() < 2) type = R::kNextTo;  // "a sectional parted by a table": nobody says from what
   // "in Japanese style with a futon": that a thing is in the room says nothing.
   if ((type == R::kOn || type == R::kIn) && references.size() == 1 && references.front() == "room") return;
+  if (type == R::kAbove && link.kind == Link::Kind::kHave && references.size() == 1) {
+    const SceneObject *thing = scene_.find_object(targets.front()), *host = scene_.find_object(references.front());
+    if (thing != nullptr && host != nullptr && is_used_within(catalog_, *thing, *host)) type = R::kInside;
+  }
   if (repeats_known(link, type, targets, references, sense)) return;
   for (const std::string& target : targets) of_target_[target].push_back(scene_.relations.size());
   Relation relation;

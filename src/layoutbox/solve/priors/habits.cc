@@ -48,6 +48,8 @@ void Habits::stand(int index) {
   const Item& item = model_.items[index];
   sit_on_host(index);
   lie_straight(index);
+  lie_along_window(index);
+  stand_near_door(index);
   keep_before_counter(index);
   wait_before_counter(index);
   face_entrance(index);
@@ -61,6 +63,7 @@ void Habits::stand(int index) {
   if (sit_before_mirror(index) && !placed_by_relation(index)) return;
   if (stand_in_formation(index) || stand_abreast(index) || sit_by_fire(index) || sit_to_talk(index)) return;
   stand_at_side(index);
+  if (stand_before_waiting(index)) return;
   const bool with_host = sit_by_between(index) || stand_beside(index);
   const bool looks = (!with_host || !item.is(Trait::kTableSeat)) && look_at(index);
   // Nobody sits with the nose to a wall.

@@ -90,6 +90,9 @@ class Habits {
   void stand_at_wall(int item);
   void stand_in_middle(int item);
   void lie_straight(int item);
+  void lie_along_window(int item);
+  void stand_near_door(int item);
+  bool stand_before_waiting(int item);
   void open_to_room(int item, int weight = kAtWall);
   void near_light(int item);
   void lie_under(int item);
@@ -104,8 +107,8 @@ class Habits {
   void hang_from_ceiling(int item);
   void hang_clear(int item);
   bool told_where_it_hangs(int item) const;
-  void hang_along(int item);
-  bool hangs_over_run(int item) const;
+  bool hang_along(int item);
+  int curtained_by(int item) const;
   std::vector<int> usually_under(int item) const;
   int seat_facing(int item) const;
   bool hang_in_row(int item);
@@ -158,6 +161,8 @@ class Habits {
   bool sit_near_low_table(int item);
   void leave_seated_to_their_seats(std::vector<int>& hosts, int item) const;
   bool sit_at(int item, int host, int hosts);
+  bool hang_along_side(int item);
+  void stand_edge_on(int item, int host);
   void stand_at(int item, int host, int hosts);
   // Seats that stand in a row along a side of what they look at.
   struct SeatRow {
@@ -226,6 +231,7 @@ class Habits {
   void keep_off_faced(int item);
   void stand_before_crowd(int faced);
   void stand_in_run(int item);
+  void keep_tall_off_worked_at(int item);
   bool stand_along_run(int item);
   bool only_told_its_wall(int item) const;
   void stand_in_wall_row(int item);

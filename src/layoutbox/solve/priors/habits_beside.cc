@@ -128,6 +128,36 @@ bool Habits::sit_at(int item, int host, int hosts) {
   return true;
 }
 
+// What is long and hangs beside something that is deeper than wide (a rail by a toilet) hangs along that one's side, on the wall there:
+// flat on the wall behind it nobody reaches it. False: it is no such thing.
+bool Habits::hang_along_side(int item) {
+  constexpr Mm kNear = 300;
+  constexpr int kOnBackWall = 250, kSlim = 4;
+  const Item& self = model_.items[item];
+  const Size& size = self.states[0].size;
+  std::vector<int> hosts = usual_hosts(item);
+  std::erase_if(hosts, [&](int h) { return !related(item, h) && placed_by_relation_besides_walls(item); });
+  if (hosts.empty() || size.width < kSlim * size.depth) return false;
+  const int host = hosts[rank_of(item) % static_cast<int>(std::ranges::count(hosts, hosts[0]))];
+  const Item& ref = model_.items[host];
+  if (!ref.has_front || !ref.entry->back_to_wall || ref.states[0].size.depth <= ref.states[0].size.width) return false;
+  Formula f;
+  for_each_turn(ref, [&](int turn, std::uint64_t states) {
+    if (turn % 90 != 0) return;
+    const Direction front = side_direction(ref, Side::kFront, turn);
+    for (const Side side : {Side::kLeft, Side::kRight}) {
+      const Direction out = side_direction(ref, side, turn);
+      Case& beside = f.add().when(host, states).when(item, states_looking(self, opposite(out)));
+      beside.require(gap_towards(item, host, out)).wish(gap_towards(item, host, out) - Linear(kNear), kBeside);
+      beside.wish(mid2(item, front.axis) - mid2(host, front.axis), kBeside, 2);
+      Case& behind = f.add().when(host, states).when(item, states_looking(self, front));
+      behind.require(gap_towards(item, host, out)).wish(gap_towards(item, host, out), kBeside).price = kOnBackWall;
+    }
+  });
+  habit("along its side", item, kBeside, std::move(f), {host});
+  return true;
+}
+
 // Before its host or at its sides, close to it.
 void Habits::stand_at(int item, int host, int hosts) {
   const Item &self = model_.items[item], &ref = model_.items[host];
@@ -151,7 +181,23 @@ void Habits::stand_at(int item, int host, int hosts) {
   }
   habit("beside", item, kBeside, std::move(f), {host});
   if (before_its_host(item)) stand_before_middle(item, host);
+  stand_edge_on(item, host);
   if (ref.has_front && !before_its_host(item) && !self.is(Trait::kTableSeat)) flank(item, host, hosts);
+}
+
+// A pane or a screen beside something goes on from the wall as that one's side does.
+void Habits::stand_edge_on(int item, int host) {
+  constexpr int kFlat = 8;
+  const Item &self = model_.items[item], &ref = model_.items[host];
+  const Size& size = self.states[0].size;
+  if (self.mount != Mount::kFloor || self.has_front || size.width < kFlat * size.depth || !ref.entry->back_to_wall || !ref.has_front)
+    return;
+  Formula f;
+  for_each_turn(ref, [&](int turn, std::uint64_t states) {
+    if (turn % 90 != 0) return;
+    f.add().when(host, states).when(item, states_with_width_along(self, side_direction(ref, Side::kFront, turn).axis));
+  });
+  if (!f.cases.empty()) habit("edge on", item, kBeside, std::move(f), {host});
 }
 
 // Seats in a row along the side of what all of them look at, its middle before that side's, each in the place of its rank.

@@ -236,6 +236,29 @@ void Habits::stand_in_run(int item) {
     for (const Side side : {Side::kLeft, Side::kRight}) add_beside(f, model_, item, other, side, {.most = 60});
   }
   if (!f.cases.empty()) habit("in the run", item, kInRun, std::move(f));
+  keep_tall_off_worked_at(item);
+}
+
+// Nobody cooks or washes up with an elbow in the fridge: a hand of worktop is between what is tall and what is no worktop.
+void Habits::keep_tall_off_worked_at(int item) {
+  constexpr Mm kTall = 1200, kWorktop = 400;
+  constexpr int kOff = 300;  // points a metre
+  const auto is_unit = [&](int i) { return model_.items[i].mount == Mount::kFloor && model_.items[i].is(Trait::kKitchenRun); };
+  const auto is_tall = [&](int i) { return model_.items[i].states[0].size.height >= kTall; };
+  const auto is_worktop = [&](const Item& unit) {
+    return unit.mount == Mount::kFloor && unit.is(Trait::kKitchenRun) && unit.is(Trait::kCounter);
+  };
+  if (!is_unit(item) || std::ranges::none_of(model_.items, is_worktop)) return;
+  for (int other = 0; other < item; ++other) {
+    if (!is_unit(other) || is_tall(other) == is_tall(item) || related(item, other)) continue;
+    const int low = is_tall(item) ? other : item;
+    if (model_.items[low].is(Trait::kCounter)) continue;
+    Formula f;
+    for (const int axis : {0, 1}) {
+      for (const int sign : {1, -1}) f.add().require(gap_towards(item, other, {axis, sign}) - Linear(kWorktop));
+    }
+    habit("a worktop between", item, kOff, std::move(f));
+  }
 }
 
 // An island stands along the run, its front away from it, an aisle between. False: there is no run, or words say where it is.

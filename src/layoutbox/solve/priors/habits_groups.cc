@@ -11,9 +11,10 @@ bool Habits::is_dined_at(int item) const {
          table.states[0].size.height >= kHigh && has_sitters(item);
 }
 
-// Who dines does not sit among the sofas: the table, with the chairs round it, keeps off what belongs to the talking group.
+// Who dines does not sit among the sofas: the table, with the chairs round it, keeps off what belongs to the talking group; nor do those
+// who read lean against the shelves.
 void Habits::keep_off_sofas(int item) {
-  constexpr Mm kChairsAndWay = 1200;
+  constexpr Mm kChairsAndWay = 1200, kTall = 1200;
   constexpr int kApart = 300;  // points a metre
   if (!is_dined_at(item)) return;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
@@ -21,7 +22,8 @@ void Habits::keep_off_sofas(int item) {
     const Item& ref = model_.items[i];
     if (ref.is_opening() || ref.mount != Mount::kFloor || ref.thin || related(item, other)) continue;
     const bool sofa = ref.is(Trait::kCenterPiece) && !ref.is(Trait::kBed);
-    if (!sofa && !ref.is(Trait::kCoffeeTable)) continue;
+    const bool shelf = ref.is(Trait::kShelving) && ref.states[0].size.height >= kTall;
+    if (!sofa && !shelf && !ref.is(Trait::kCoffeeTable)) continue;
     Formula f;
     for (const int axis : {0, 1}) {
       for (const int sign : {1, -1}) f.add().require(gap_towards(item, other, {axis, sign}) - Linear(kChairsAndWay));
@@ -71,13 +73,13 @@ bool Habits::sit_by_fire(int item) {
   };
   if (!sits(item)) return false;
   const std::vector<int> seen = items_of_kinds(model_.items[item].entry->faces, item);
-  const auto is_fire = [&](int i) { return model_.is_a(i, "fireplace"); };
-  const auto fire = std::ranges::find_if(seen, is_fire);
-  const bool other = std::ranges::any_of(seen, [&](int i) {
+  const auto else_seen = [&](int i) {
     const Item& ref = model_.items[i];
     return ref.is(Trait::kScreen) || ref.is(Trait::kCoffeeTable) || ref.is(Trait::kCenterPiece);
-  });
-  if (fire == seen.end() || other) return false;
+  };
+  const auto is_fire = [&](int i) { return !model_.items[i].is(Trait::kTable) && model_.items[i].has_front; };
+  const auto fire = std::ranges::find_if(seen, is_fire);
+  if (fire == seen.end() || std::ranges::any_of(seen, else_seen)) return false;
   std::vector<int> seats;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     if (sits(static_cast<int>(i)) && model_.items[i].entry == model_.items[item].entry) seats.push_back(static_cast<int>(i));

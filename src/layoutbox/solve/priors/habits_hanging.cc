@@ -1,4 +1,5 @@
 // Habits of what hangs on walls and from ceilings.
+#include "layoutbox/catalog/groups.h"
 #include "layoutbox/solve/priors/habits.h"
 
 namespace layoutbox::placement {
@@ -7,12 +8,6 @@ namespace {
 constexpr int kHangHeight = 600;  // points a metre
 constexpr Mm kMostUnder = 1300;   // what is higher has nothing above it
 constexpr int kStrewn = 6;        // on the ceiling
-
-const std::vector<std::string> kUnderPictures{"fireplace", "bed",  "sofa",     "sideboard", "console_table",
-                                              "dresser",   "desk", "tv_stand", "cabinet"};
-const std::vector<std::string> kUnderScreens{"tv_stand", "fireplace", "sideboard", "console_table", "dresser", "cabinet"};
-const std::vector<std::string> kUnderMirrors{"sink", "vanity", "dresser", "console_table", "sideboard"};
-const std::vector<std::string> kUnderLamps{"dining_table", "kitchen_island", "conference_table", "table", "coffee_table", "bed"};
 
 }  // namespace
 
@@ -24,13 +19,12 @@ bool Habits::told_where_it_hangs(int item) const {
 
 // Lamps over tables, else in the middle of the room.
 void Habits::hang_from_ceiling(int item) {
-  if (told_where_it_hangs(item)) {  // above its thing, in its corner: the middle of the room would pull it off
-    hang_along(item);
-    return;
-  }
+  // Above its thing, in its corner: the middle of the room would pull it off.
+  if (hang_along(item) || told_where_it_hangs(item)) return;
   const Item& self = model_.items[item];
-  std::vector<int> below = self.is(Trait::kLamp) ? items_of_kinds(kUnderLamps, item) : std::vector<int>{};
-  std::erase_if(below, [&](int i) { return model_.items[i].entry->back_to_wall && !model_.items[i].is(Trait::kBed); });  // no desks
+  std::vector<int> below = items_of_kinds(Groups::usual_at(Groups::builtin().hangs, *model_.catalog, *self.entry, Mount::kCeiling), item);
+  if (self.is(Trait::kLamp))  // over no desk at a wall
+    std::erase_if(below, [&](int i) { return model_.items[i].entry->back_to_wall && !model_.items[i].is(Trait::kBed); });
   if (!below.empty()) std::erase_if(below, [&, kind = model_.items[below[0]].entry](int i) { return model_.items[i].entry != kind; });
   // Several share the tables there are, and the length of each.
   std::vector<int> peers;
@@ -69,27 +63,41 @@ void Habits::hang_from_ceiling(int item) {
 }
 
 // What hangs from the ceiling down to the floor beside a bed or a couch (a ward's curtain) hangs along its long side.
-void Habits::hang_along(int item) {
-  constexpr Mm kOff = 120, kLong = 1500;
-  if (!model_.items[item].curtain) return;
-  for (const Relation& r : model_.scene->relations) {
-    const int host = r.type == RelationType::kNextTo && r.references.size() == 1 ? model_.find_item(r.references[0]) : -1;
-    if (host < 0 || !related_as_target(item, host, r.type)) continue;
-    if (!model_.items[host].is(Trait::kBed) && model_.items[host].states[0].size.depth < kLong) continue;
-    Formula f;
-    for_each_turn(model_.items[host], [&](int turn, std::uint64_t states) {
-      if (turn % 90 != 0) return;
-      const int along = side_direction(model_.items[host], Side::kBack, turn).axis;
-      for (const Side side : {Side::kLeft, Side::kRight}) {
-        const Direction d = side_direction(model_.items[host], side, turn);
-        Case& c = f.add().when(host, states).when(item, states_with_width_along(model_.items[item], along));
-        c.wish(gap_towards(item, host, d) - Linear(kOff), kHangs).wish(mid2(item, along) - mid2(host, along), kHangs, 2);
-        c.require(gap_towards(item, host, d));
-      }
-    });
-    habit("hangs along", item, kHangs, std::move(f), {host});
-    return;
+bool Habits::hang_along(int item) {
+  constexpr Mm kOff = 120;
+  const int host = curtained_by(item);
+  if (host < 0) return false;
+  Formula f;
+  for_each_turn(model_.items[host], [&](int turn, std::uint64_t states) {
+    if (turn % 90 != 0) return;
+    const int along = side_direction(model_.items[host], Side::kBack, turn).axis;
+    for (const Side side : {Side::kLeft, Side::kRight}) {
+      const Direction d = side_direction(model_.items[host], side, turn);
+      Case& c = f.add().when(host, states).when(item, states_with_width_along(model_.items[item], along));
+      c.wish(gap_towards(item, host, d) - Linear(kOff), kHangs).wish(mid2(item, along) - mid2(host, along), kHangs, 2);
+      c.require(gap_towards(item, host, d));
+    }
+  });
+  habit("hangs along", item, kHangs, std::move(f), {host});
+  return true;
+}
+
+// The bed or couch that it is told to hang next to, else where nothing is told the bed of its rank; -1: none.
+int Habits::curtained_by(int item) const {
+  constexpr Mm kLong = 1500;
+  if (!model_.items[item].curtain) return -1;
+  for (const Relation* r : said_of(item)) {
+    const int host = r->type == RelationType::kNextTo && r->references.size() == 1 ? model_.find_item(r->references[0]) : -1;
+    if (host < 0 || !related_as_target(item, host, r->type) || model_.items[host].is_opening()) continue;
+    if (model_.items[host].is(Trait::kBed) || model_.items[host].states[0].size.depth >= kLong) return host;
   }
+  if (told_where_it_hangs(item)) return -1;
+  std::vector<int> beds;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const Item& other = model_.items[i];
+    if (!other.is_opening() && other.is(Trait::kBed) && other.mount == Mount::kFloor) beds.push_back(static_cast<int>(i));
+  }
+  return beds.empty() ? -1 : beds[static_cast<std::size_t>(rank_of(item)) % beds.size()];
 }
 
 // What hangs so low that one stands before it (a punching bag) hangs clear of what is on the floor, and of its like.
@@ -251,13 +259,6 @@ void Habits::leave_free_before(int item) {
   }
 }
 
-// A cupboard of a kitchen on the wall, where there are units below.
-bool Habits::hangs_over_run(int item) const {
-  const CatalogEntry& entry = *model_.items[item].entry;
-  return !entry.spaces.empty() && std::ranges::find(entry.rooms, "kitchen") != entry.rooms.end() &&
-         std::ranges::any_of(model_.items, [](const Item& other) { return other.is(Trait::kKitchenRun) && other.mount == Mount::kFloor; });
-}
-
 // Over what the thing on the wall usually hangs.
 std::vector<int> Habits::usually_under(int item) const {
   const Item& self = model_.items[item];
@@ -268,12 +269,7 @@ std::vector<int> Habits::usually_under(int item) const {
   });
   const bool board = self.is(Trait::kScreen) && !self.is(Trait::kElseOnWall);
   if (is_faced || board || (is_wall_mirror(item) && seat_facing(item) >= 0)) return under;
-  const bool unit = hangs_over_run(item);
-  if (!unit)
-    under = items_of_kinds(self.is(Trait::kMirror) ? kUnderMirrors : self.is(Trait::kScreen) ? kUnderScreens : kUnderPictures, item);
-  for (std::size_t i = 0; unit && i < model_.items.size(); ++i) {
-    if (model_.items[i].is(Trait::kKitchenRun) && model_.items[i].mount == Mount::kFloor) under.push_back(static_cast<int>(i));
-  }
+  under = items_of_kinds(Groups::usual_at(Groups::builtin().hangs, *model_.catalog, *self.entry, Mount::kWall), item);
   // A wardrobe leaves no wall above it.
   std::erase_if(under, [&](int i) {
     return model_.items[i].states[0].size.height > kMostUnder || (self.is(Trait::kScreen) && model_.items[i].is(Trait::kKitchenRun));
@@ -310,7 +306,7 @@ void Habits::hang_on_wall(int item) {
     return;
   }
   leave_free_before(item);
-  if (stand_beside(item)) return;
+  if (hang_along_side(item) || stand_beside(item)) return;
   look_at(item, self.is(Trait::kScreen));
   if (hang_in_row(item)) return;
   if (placed_by_relation_besides_walls(item)) return;

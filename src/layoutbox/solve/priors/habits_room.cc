@@ -1,4 +1,5 @@
 // Habits towards the room: backs to walls, the middle, light, rugs; doors and windows nobody placed.
+#include "layoutbox/catalog/groups.h"
 #include "layoutbox/solve/objective/cost.h"
 #include "layoutbox/solve/priors/habits.h"
 
@@ -12,7 +13,6 @@ constexpr int kBedToCorner = 80, kToCorner = 20, kTallToCorner = 160;  // points
 constexpr Mm kFlushInCorner = 20;
 constexpr int kWallFree = 400;  // points a metre
 constexpr int kFloats = 250;    // points for a sofa that stands off the walls of a large room
-const std::vector<std::string> kOnRugs{"coffee_table", "dining_table", "bed", "crib", "sofa", "table"};
 
 // A stage, a dais: low, with a top that much stands on.
 bool is_platform(const Item& item) {
@@ -329,7 +329,8 @@ void Habits::lie_under(int item) {
     lie_before_use(item, by[static_cast<std::size_t>(rank_of(item)) % by.size()]);
     return;
   }
-  std::vector<int> over = items_of_kinds(kOnRugs, item);
+  std::vector<int> over =
+      items_of_kinds(Groups::usual_at(Groups::builtin().lies, *model_.catalog, *model_.items[item].entry, Mount::kFloor), item);
   const auto beds = std::count_if(over.begin(), over.end(), [&](int i) { return model_.items[i].is(Trait::kBed); });
   std::erase_if(over, [&](int i) {
     if (model_.items[i].is(Trait::kBed)) return beds > 1 || !model_.items[i].is(Trait::kCenterPiece);
@@ -367,13 +368,15 @@ void Habits::lie_lengthwise(int item) {
 }
 
 void Habits::lie_at_foot(int item, int bed) {
+  // Most of it shows.
+  const Mm beyond = std::max(kRugBeyondFoot, model_.items[item].states[0].size.depth * 3 / 5);
   Formula f;
   for_each_turn(model_.items[bed], [&](int turn, std::uint64_t states) {
     const Direction foot = side_direction(model_.items[bed], Side::kFront, turn);
     Case& c = f.add().when(bed, states);
     if (const std::uint64_t along = model_.items[item].states_at(turn)) c.when(item, along);
     c.wish(mid2(item, across(foot)) - mid2(bed, across(foot)), kRug, 2);
-    c.wish(reach(item, foot) - reach(bed, foot) - Linear(kRugBeyondFoot), kRug);
+    c.wish(reach(item, foot) - reach(bed, foot) - Linear(beyond), kRug);
   });
   habit("rug", item, kRug, std::move(f), {bed});
 }

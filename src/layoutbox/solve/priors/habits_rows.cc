@@ -1,11 +1,16 @@
-// What a formation stands before, and the floor that it leaves for that and for those who sit there.
+// What a formation stands before, and the floor that it leaves for that and for those who sit there; what goes by a window, a door or who
+// waits.
+#include "layoutbox/catalog/groups.h"
 #include "layoutbox/solve/priors/habits.h"
 
 namespace layoutbox::placement {
 namespace {
 
-constexpr Mm kStageDepth = 1600;    // left before a crowd for what it looks at and who stands there
-constexpr Mm kClearOfCrowd = 1000;  // free before the first row, between it and what all look at
+constexpr Mm kStageDepth = 1600;      // left before a crowd for what it looks at and who stands there
+constexpr int kAlongWindow = 2000;    // points a metre: more than the free floor that a bar wants behind it
+constexpr int kGuestsTable = 250;     // points a metre
+constexpr Mm kMostUnderWindow = 300;  // off the wall, as the relation has it
+constexpr Mm kClearOfCrowd = 1000;    // free before the first row, between it and what all look at
 
 }  // namespace
 
@@ -87,6 +92,81 @@ Mm Habits::view_of(const Group& group) const {
     }
   }
   return lookers < 2 || seen < 0 || model_.items[seen].is_opening() ? 0 : std::max(0, model_.items[seen].states[0].size.width - kEdge);
+}
+
+// What is long and told to be along or under a window lies with its long side there, a bar with its back; not what people dine round.
+void Habits::lie_along_window(int item) {
+  const Item& self = model_.items[item];
+  const Size& size = self.states[0].size;
+  const bool is_long = 2 * std::max(size.width, size.depth) >= 3 * std::min(size.width, size.depth);
+  const bool told = std::ranges::any_of(said_of(item), [&](const Relation* r) {
+    return r->type == RelationType::kUnderWindow && std::ranges::find(r->targets, self.id) != r->targets.end();
+  });
+  if (!told || !is_long || self.thin || self.entry->back_to_wall || is_dined_at(item)) return;
+  const Side side = self.has_front && self.is(Trait::kOpenToRoom) && size.width > size.depth ? Side::kBack : Side::kLong;
+  Formula f;
+  for (const RoomWall& wall : model_.walls) {
+    const std::uint64_t along = states_with_side_to(self, wall, side);
+    if (!along) continue;
+    Case& c = f.add().when(item, along);
+    if (wall.straight) {
+      const Linear off = gap_towards(item, place_of(model_, wall), {wall.normal(), wall.inward});
+      c.require(Linear(kMostUnderWindow) - off).wish(off, kBackToWall);
+    } else {
+      require_near_slanted_wall(c, model_, item, wall, kMostUnderWindow);
+    }
+  }
+  if (!f.cases.empty()) habit("along its window", item, kAlongWindow, std::move(f));
+}
+
+// Where one pays, and what comes and goes with people (a bicycle), is by the door.
+void Habits::stand_near_door(int item) {
+  constexpr int kByDoor = 80;  // points a metre
+  const auto is_such = [&](const std::string& kind) { return model_.is_a(item, kind); };
+  if (placed_by_relation(item) || std::ranges::none_of(Groups::builtin().by_door, is_such)) return;
+  Formula f;
+  std::vector<int> doors;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const int door = static_cast<int>(i);
+    if (!model_.items[i].is_opening() || model_.items[i].opening->type != OpeningType::kDoor) continue;
+    doors.push_back(door);
+    Case& c = f.add();
+    for (const int axis : {0, 1}) c.wish(mid2(item, axis) - mid2(door, axis), kByDoor, 2);
+  }
+  if (!doors.empty()) habit("by the door", item, kByDoor, std::move(f));
+}
+
+// The low table of those who wait, where no sofa is there, is before the middle of its share of the seats.
+bool Habits::stand_before_waiting(int item) {
+  constexpr Mm kOff = 500;
+  constexpr std::size_t kFewest = 3;
+  const Item& self = model_.items[item];
+  if (!self.is(Trait::kCoffeeTable) || self.mount != Mount::kFloor || placed_by_relation(item)) return false;
+  std::vector<int> seats;
+  int tables = 0;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const int other = static_cast<int>(i);
+    const Item& ref = model_.items[i];
+    if (ref.is_opening() || ref.mount != Mount::kFloor) continue;
+    if (ref.is(Trait::kCenterPiece)) return false;
+    if (ref.entry == self.entry) ++tables;
+    const bool sits = (ref.is(Trait::kSeat) || ref.is(Trait::kEasySeat)) && ref.has_front;
+    const bool at_work = std::ranges::any_of(said_of(other), [](const Relation* r) { return r->type != RelationType::kAgainstWall; });
+    if (sits && !at_work) seats.push_back(other);
+  }
+  if (seats.size() < kFewest) return false;
+  const auto share = static_cast<std::size_t>(2 * rank_of(item) + 1) * seats.size() / (2 * static_cast<std::size_t>(tables));
+  const int seat = seats[std::min(share, seats.size() - 1)];
+  Formula f;
+  for_each_turn(model_.items[seat], [&](int turn, std::uint64_t states) {
+    if (turn % 90 != 0) return;
+    const Direction front = side_direction(model_.items[seat], Side::kFront, turn);
+    Case& c = f.add().when(seat, states).when(item, states_with_width_along(self, across(front)));
+    c.wish(gap_towards(item, seat, front) - Linear(kOff), kGuestsTable)
+        .wish(mid2(item, across(front)) - mid2(seat, across(front)), kGuestsTable, 2);
+  });
+  habit("before those who wait", item, kGuestsTable, std::move(f), {seat});
+  return true;
 }
 
 }  // namespace layoutbox::placement
