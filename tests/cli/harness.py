@@ -69,6 +69,13 @@ def blender_is_there():
     )
 
 
+def no_sandbox():
+    """Why there is none, as the program says it; empty where there is one."""
+    doctor = subprocess.run([BINARY, "doctor", "--json"], capture_output=True, text=True, check=False)
+    finding = next(item for item in json.loads(doctor.stdout) if item["what"] == "sandbox")
+    return "" if finding["there"] else finding["detail"]
+
+
 needs_blender = unittest.skipUnless(blender_is_there(), "no Blender on this machine")
 needs_shared = unittest.skipUnless((SHARED / "tools").is_dir(), "the folder shared/ is not beside this checkout")
 

@@ -51,7 +51,7 @@ class Installed(CliTestCase):
     def test_an_outside_project_links_the_library(self):
         project = shutil.copytree(SOURCE / "examples/cpp", self.path("outside"))
         build = self.path("outside-build")
-        self.must("cmake", "-S", project, "-B", build, f"-DCMAKE_PREFIX_PATH={self.place}")
+        self.must("cmake", "-G", "Ninja", "-S", project, "-B", build, f"-DCMAKE_PREFIX_PATH={self.place}")
         self.must("cmake", "--build", build)
         self.run_outside_program(build / "furnish_a_room")
 

@@ -7,8 +7,7 @@ import unittest
 import urllib.request
 
 import model_case
-from harness import DONE, needs_blender
-from test_one_step import no_sandbox
+from harness import DONE, needs_blender, no_sandbox
 from test_publish import SECRETS, Folder, Server
 
 try:

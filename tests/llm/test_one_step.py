@@ -2,12 +2,11 @@
 up, and asking again with what was wrong."""
 
 import json
-import subprocess
 import unittest
 
 import model_case
 from fault_server import FaultServer, call, scripted
-from harness import BINARY, DONE, needs_blender
+from harness import DONE, needs_blender, no_sandbox
 
 GOOD = """
 import bpy
@@ -35,13 +34,6 @@ def script_for(request):
     said = json.dumps(request.json()["messages"])
     word = next(word for word in ANSWERS if word + "\\n</request>" in said)
     return call("write_script", {"script": GOOD if word == "MENDED" and "not yet" in said else ANSWERS[word]})
-
-
-def no_sandbox():
-    """Why there is none, as the program says it; empty where there is one."""
-    doctor = subprocess.run([BINARY, "doctor", "--json"], capture_output=True, text=True, check=False)
-    finding = next(item for item in json.loads(doctor.stdout) if item["what"] == "sandbox")
-    return "" if finding["there"] else finding["detail"]
 
 
 @needs_blender

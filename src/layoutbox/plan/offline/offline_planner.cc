@@ -27,6 +27,7 @@
 #include "layoutbox/plan/offline/slopes.h"
 #include "layoutbox/plan/offline/spelling.h"
 #include "layoutbox/plan/offline/uses.h"
+#include "layoutbox/plan/offline/wall_lists.h"
 #include "layoutbox/plan/offline/wishes.h"
 #include "layoutbox/plan/offline/wordings.h"
 #include "layoutbox/plan/offline/zones.h"
@@ -68,6 +69,7 @@ class OfflinePlanner final : public Planner {
     const std::vector<std::size_t> room_size_at = begins_of(document.readings, skip);
     part_runs(lexicon_, document, skip);
     read_examples(lexicon_, document, skip);
+    complete_wall_lists(lexicon_, document, skip);
     read_seats_said(lexicon_, document, skip);
     read_labels(lexicon_, document, skip);
     read_corrected_counts(lexicon_, document, skip);

@@ -238,7 +238,8 @@ class PeopleReader {
           both(Trait::kTable) && !meeting && !one_of(entry->id, {"coffee_table", "side_table", "console_table", "changing_table"});
       // A teacher's desk and a reception desk are none of those that everybody has.
       if (entry != nullptr && entry->is(Trait::kOpenToRoom) && !kind.is(Trait::kOpenToRoom)) continue;
-      const bool seats = catalog_.is_a(kind.id, "chair") && one_of(one.noun.head, {"chair", "stool", "bench", "seat"});
+      const bool rows = one.noun.rows > 0 && is_seat(catalog_, one.noun);  // "two rows of recliners" for whom a cinema is
+      const bool seats = rows || (catalog_.is_a(kind.id, "chair") && one_of(one.noun.head, {"chair", "stool", "bench", "seat"}));
       if (both(Trait::kBed) || tables || seats || (entry != nullptr && catalog_.is_a(entry->id, kind.id))) return static_cast<int>(m);
     }
     return -1;

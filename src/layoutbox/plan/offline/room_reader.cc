@@ -187,7 +187,8 @@ PlacedOpenings placed_openings(const Document& document) {
         const NounPhrase& by = document.mentions[static_cast<std::size_t>(reference)].noun;
         const std::string said = wall_said(link, by);
         // "windows in the left and back walls": of several one in each, as they are named.
-        if (by.kind == NounKind::kWall && !said.empty() && !wall.empty() && wall != said && openings_said(mention.noun) > 1)
+        const bool many = openings_said(mention.noun) > 1 || mention.noun.plural;
+        if (by.kind == NounKind::kWall && !said.empty() && !wall.empty() && wall != said && many)
           placed.push_back({&mention, wall, {}});
         if (!said.empty() || mention.noun.wall_word.empty()) wall = said;
         if (by.kind == NounKind::kCorner) corner = by.wall_word;
@@ -195,7 +196,8 @@ PlacedOpenings placed_openings(const Document& document) {
       wall = wall.substr(0, wall.find(' '));
       // "in the north wall near the east corner": one door.
       const auto known = std::ranges::find_if(placed, [&](const PlacedOpening& p) { return p.mention == &mention; });
-      if (known == placed.end() || openings_said(mention.noun) > 1) {
+      const bool elsewhere = mention.noun.plural && known != placed.end() && corner.empty() && !wall.empty() && known->wall != wall;
+      if (known == placed.end() || openings_said(mention.noun) > 1 || elsewhere) {
         placed.push_back({&mention, wall, corner});
       } else {
         if (!wall.empty() && (known->wall.empty() || corner.empty())) known->wall = wall;

@@ -234,10 +234,11 @@ void RelationBuilder::leave_small_vessels() {
   }
 }
 
-// "On the far wall, a mixer rests on a cabinet": the cabinet stands there.
+// "On the far wall, a mixer rests on a cabinet", "a bowl on the table under the window, with a jug": the cabinet, the table stand there.
 void RelationBuilder::stand_carriers_at_walls() {
   for (Relation& relation : scene_.relations) {
-    if ((relation.type != R::kOnWall && relation.type != R::kAgainstWall) || relation.targets.size() != 1) continue;
+    const bool by_window = relation.type == R::kUnderWindow;
+    if ((relation.type != R::kOnWall && relation.type != R::kAgainstWall && !by_window) || relation.targets.size() != 1) continue;
     const SceneObject* thing = object_of(relation.targets.front());
     const std::string carrier = said_support(relation.targets.front());
     const SceneObject* host = object_of(carrier);
@@ -245,8 +246,8 @@ void RelationBuilder::stand_carriers_at_walls() {
       continue;
     const std::vector<std::size_t>& all = relations_of(carrier);
     const bool placed = std::any_of(all.begin(), all.end(), [&](std::size_t r) { return stands_elsewhere(scene_.relations[r].type); });
-    if (placed || mount_of(noun_of_object(*host)) != Mount::kFloor) continue;
-    relation.type = R::kAgainstWall;
+    if ((placed && !by_window) || mount_of(noun_of_object(*host)) != Mount::kFloor) continue;
+    if (!by_window) relation.type = R::kAgainstWall;
     relation.targets = {carrier};
     of_target_[carrier].push_back(static_cast<std::size_t>(&relation - scene_.relations.data()));
   }

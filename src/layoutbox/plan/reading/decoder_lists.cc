@@ -196,7 +196,8 @@ double Decoder::content_list_score(const State& state, int member, int u) const 
   if (noun.determiner == Determiner::kDefinite) score -= 1.5;
   if (owner == kNobody || host.kind != NounKind::kObject) return score + (host.kind == NounKind::kWall ? 0.5 : 0);
   score += list_kind_score(state, member, u, length);
-  if (unit(predicate).joiner != Joiner::kNone && mount_of(noun) == Mount::kFloor && !inverse) score -= 2;  // ", with …"
+  const bool trails = unit(predicate).joiner != Joiner::kNone && !carries_list(predicate);
+  if (trails && mount_of(noun) == Mount::kFloor && !inverse) score -= 2;  // ", with …"
   if (has_own_place(u)) score -= !sense_.carries(host, noun) ? 1.6 : joiner == Joiner::kAnd ? 0.6 : 1.4;
   if (joiner == Joiner::kAnd && lies_on_placed(u, host)) score -= weight::kSmallByPlace;
   // "each with a bed, a chair and a lamp": every one has all of them.
@@ -298,7 +299,7 @@ double Decoder::reference_list_score(const State& state, int member, int u) cons
            n.determiner == Determiner::kPossessive;
   };
   // "along the left and right walls"
-  const bool walls = noun.kind == NounKind::kWall && noun.plural && noun.determiner == Determiner::kNone && !noun.wall_word.empty();
+  const bool walls = noun.kind == NounKind::kWall && !noun.wall_word.empty() && noun.wall_word != former.wall_word;
   if (walls && former.kind == NounKind::kWall && !former.wall_word.empty()) return 5;
   if (former.kind != NounKind::kObject || noun.kind != NounKind::kObject)
     return noun.kind == former.kind && noun.kind != NounKind::kRoom ? 1.5 : -6;
