@@ -130,4 +130,15 @@ TEST(Decor, ShelvesHoldWhatTheTextSays) {
 }
 
 }  // namespace
+TEST(Decor, ColorsOfTheWholeRoomAreSaidInThePluralOrBeforeItsName) {
+  const auto said = [](const char* text) {
+    return decor_of(room("bedroom", text), 1).colors_said ? decor_of(room("bedroom", text), 1).accents : std::vector<Color>{};
+  };
+  EXPECT_EQ(said("A calm bedroom in soft greens with a bed and a rug.").front(), named("soft green"));
+  EXPECT_EQ(said("A blue and white bedroom with a bed."), (std::vector<Color>{named("blue"), named("white")}));
+  EXPECT_EQ(said("A bedroom with a bed. Warm earth tones.").size(), 5U);
+  EXPECT_TRUE(said("A bedroom with a blue rug and a white bed.").empty());
+  EXPECT_TRUE(said("A kitchen with a bowl of greens.").empty());
+}
+
 }  // namespace layoutbox

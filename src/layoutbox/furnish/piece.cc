@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <span>
 
 namespace layoutbox::kit {
@@ -216,7 +217,31 @@ int Piece::main_accent(std::string_view usual) {
   return own_look ? main(usual) : palette_.add(colored(chosen, accent()));
 }
 
-void Piece::add(int surface, const Mesh& mesh) { append(meshes_[surface], mesh); }
+void Piece::add(int surface, const Mesh& mesh) {
+  Mesh& all = meshes_[surface];
+  const std::size_t from = all.positions.size();
+  append(all, mesh);
+  solids_.push_back({surface, from, all.positions.size()});
+}
+
+// Faces that lie in one plane flicker, or are black: a solid is a hair smaller than those that were added after it, which are so to be
+// seen.
+void Piece::part_coincident_faces() {
+  constexpr double kHair = 0.001, kOfThinnest = 0.004, kOfSide = 0.05;  // metres, shares
+  const double hair = std::min(kHair, kOfThinnest * std::min({w, d, h}));
+  for (std::size_t i = 0; i < solids_.size(); ++i) {
+    const std::span<Vec3f> points =
+        std::span(meshes_[solids_[i].surface].positions).subspan(solids_[i].from, solids_[i].to - solids_[i].from);
+    const double less = hair * static_cast<double>(solids_.size() - 1 - i) / static_cast<double>(solids_.size());
+    for (std::size_t axis = 0; axis < 3 && !points.empty(); ++axis) {
+      const auto [least, most] =
+          std::ranges::minmax(points | std::views::transform([axis](const Vec3f& v) { return static_cast<double>(v[axis]); }));
+      const double side = most - least, middle = (least + most) / 2;
+      const double share = side > 0 ? 1 - 2 * std::min(less, side * kOfSide) / side : 1;
+      for (Vec3f& v : points) v[axis] = static_cast<float>(middle + (static_cast<double>(v[axis]) - middle) * share);
+    }
+  }
+}
 
 void Piece::light(Vec position, double watts, double radius) {
   Light light;
@@ -287,6 +312,7 @@ void Piece::legs(int surface, double top, double thick, double inset, bool round
 }
 
 Node Piece::take_node() {
+  part_coincident_faces();
   Node node;
   node.id = object_.id;
   node.kind = NodeKind::kObject;

@@ -99,6 +99,13 @@ class Piece {
   Node take_node();
 
  private:
+  // One of the solids that were added: some points of the mesh of its surface.
+  struct Solid {
+    int surface;
+    std::size_t from, to;
+  };
+
+  void part_coincident_faces();
   void take_part_look(const CatalogEntry& entry);
   Surface asked(std::string_view usual, bool with_color) const;
 
@@ -114,6 +121,7 @@ class Piece {
   Random random_;
   std::uint64_t kind_seed_;
   std::map<int, Mesh> meshes_;
+  std::vector<Solid> solids_;
   std::vector<Light> lights_;
 };
 

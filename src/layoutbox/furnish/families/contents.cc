@@ -366,6 +366,21 @@ void flowers(Piece& p, const Box& room) {
   }
 }
 
+// Two rows of lettuces in a tray.
+void seedlings(Piece& p, const Box& room) {
+  const Vec size = room.size();
+  const double r = std::min({0.075, size.y * 0.22, size.z * 0.4});
+  const int n = std::clamp(static_cast<int>(size.x / (2.1 * r)), 1, 9);
+  for (int i = 0; i < 2 * n; ++i) {
+    const int green = p.tinted("leaf", i % 3 == 0 ? Color{0.48, 0.66, 0.26} : Color{0.26, 0.52, 0.22});
+    const double x = room.min.x + size.x * (i / 2 + 0.5) / n, y = room.min.y + size.y * (i % 2 == 0 ? 0.26 : 0.74), z = room.min.z;
+    for (int k = 0; k < 2; ++k) {
+      const double a = 3.1 * k + i, out = r * 0.4, tall = r * p.random(0.55, 0.8);
+      p.add(green, ellipsoid({x + std::cos(a) * out, y + std::sin(a) * out, z + tall}, {r * 0.6, r * 0.6, tall}, 6, 3));
+    }
+  }
+}
+
 }  // namespace
 
 ShelfContents contents_named(std::string_view name) {
@@ -373,7 +388,8 @@ ShelfContents contents_named(std::string_view name) {
       {"books", books},     {"goods", goods},         {"bottles", bottles},       {"towels", towels},    {"boxes", boxes},
       {"binders", binders}, {"wine", lying_bottles},  {"clothes", clothes},       {"shoes", shoe_pairs}, {"jars", jars},
       {"toys", toys},       {"fabric", fabric},       {"detergents", detergents}, {"threads", threads},  {"pastries", pastries},
-      {"meat", meat},       {"glassware", glassware}, {"medicines", medicines},   {"flowers", flowers},  {"none", nullptr}};
+      {"meat", meat},       {"glassware", glassware}, {"medicines", medicines},   {"flowers", flowers},  {"seedlings", seedlings},
+      {"none", nullptr}};
   const auto found = kinds.find(name);
   return found == kinds.end() ? books : found->second;
 }

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "layoutbox/embedded/catalog_data.h"
-#include "layoutbox/furnish/piece.h"
+#include "layoutbox/furnish/families/parts.h"
 
 namespace layoutbox::kit {
 namespace {
@@ -139,15 +139,14 @@ Mesh turned(Mesh mesh, std::string_view word) {
   return posed(std::move(mesh), moved(c) * turn * moved(c * -1));
 }
 
-// What a model's lines have made: a mesh, its surface, and the line's number.
+// What a line of a model has made.
 struct Made {
   Mesh mesh;
   int surface = 0;
-  std::size_t line = 0;
 };
 
 // One solid of a line; false where the line is none.
-bool make_solid(Piece& p, std::span<const std::string_view> words, int index, std::size_t line, std::vector<Made>& to) {
+bool make_solid(Piece& p, std::span<const std::string_view> words, int index, std::vector<Made>& to) {
   const auto mm = [](double metres) { return static_cast<Mm>(std::lround(metres * 1000)); };
   const Size size{mm(p.w), mm(p.d), mm(p.h)};
   Numbers numbers;
@@ -165,54 +164,37 @@ bool make_solid(Piece& p, std::span<const std::string_view> words, int index, st
   if (solid == solids().end() || numbers.size() < solid->second.least) return false;
   Mesh mesh = solid->second.make(numbers);
   for (; at < words.size(); ++at) mesh = turned(std::move(mesh), words[at]);
-  to.push_back({std::move(mesh), surface_of(p, words[1]), line});
+  to.push_back({std::move(mesh), surface_of(p, words[1])});
   return true;
 }
 
-bool make_line(Piece& p, std::string_view line, std::size_t number, std::vector<Made>& to) {
+bool make_line(Piece& p, std::string_view line, std::vector<Made>& to) {
   const std::vector<std::string_view> words = words_of_line(line);
   const bool repeats = !words.empty() && words[0].ends_with('*');
   const auto rest = std::span(words).subspan(repeats ? 1 : 0);
   if (rest.size() < 3) return false;
   const int count = repeats ? integer(words[0]) : 1;
   for (int i = 0; i < count; ++i) {
-    if (!make_solid(p, rest, i, number, to)) return false;
+    if (!make_solid(p, rest, i, to)) return false;
   }
   return true;
-}
-
-// Faces that lie in one plane flicker, or are black: a solid is a hair smaller than those of the lines after it, which are so to be seen.
-void part_coincident_faces(std::vector<Made>& made, double hair) {
-  const std::size_t last = made.back().line;
-  for (Made& one : made) {
-    const Box b = bounds(one.mesh);
-    const double less = hair * static_cast<double>(last - one.line) / static_cast<double>(std::max<std::size_t>(last, 1));
-    const auto share = [&](double side) { return side > 0 ? 1 - 2 * std::min(less, side * 0.05) / side : 1; };
-    const Vec size = b.size();
-    one.mesh = posed(std::move(one.mesh), moved(b.center()) * scaled(share(size.x), share(size.y), share(size.z)) * moved(b.center() * -1));
-  }
 }
 
 void modeled(Piece& p) {
   const auto model = models().find(p.word("model", ""));
   if (model == models().end()) return family_or_generic("generic")(p);
   std::vector<Made> made;
-  for (std::size_t i = 0; i < model->second.size(); ++i) {
-    if (!make_line(p, model->second[i], i, made)) return family_or_generic("generic")(p);
+  for (const std::string& line : model->second) {
+    if (!make_line(p, line, made)) return family_or_generic("generic")(p);
   }
   if (made.empty()) return family_or_generic("generic")(p);
-  Box all = bounds(made.front().mesh);
-  for (const Made& one : made) {
-    const Box b = bounds(one.mesh);
-    all = {{std::min(all.min.x, b.min.x), std::min(all.min.y, b.min.y), std::min(all.min.z, b.min.z)},
-           {std::max(all.max.x, b.max.x), std::max(all.max.y, b.max.y), std::max(all.max.z, b.max.z)}};
-  }
-  // In the model's own measure, which need not be the object's.
-  const Vec size = all.size();
-  const double most = 0.0008 * std::max({size.x, size.y, size.z}) / std::max({p.w, p.d, p.h});
-  part_coincident_faces(made, std::min(most, 0.004 * std::min({size.x, size.y, size.z})));
   for (const Made& one : made) p.add(one.surface, one.mesh);
   if (p.spaces.empty()) p.fit();
+  const ShelfContents contents =
+      p.word("contents", "").empty() || !p.may_show_contents() ? nullptr : contents_named(p.word("contents", ""));
+  for (const FreeSpace& s : p.spaces) {
+    if (contents != nullptr && s.carries && !s.held) contents(p, s.box);
+  }
 }
 
 }  // namespace

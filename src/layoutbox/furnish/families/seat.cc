@@ -20,7 +20,7 @@ Seat seat_of(const Piece& p, double level, double arm, double back) {
 
 bool upholstered(const Piece& p) {
   return p.word("seat", "") == "cushion" || p.says("upholstered") || p.says("leather") || p.says("velvet") || p.says("fabric") ||
-         p.says("padded");
+         p.says("padded") || (p.is_style("mid-century") && !p.says("wooden"));
 }
 
 enum class Back { kSlats, kPanel, kSpindles, kUprights };
@@ -32,7 +32,7 @@ Back back_of(const Piece& p) {
   if (said == "spindles") return Back::kSpindles;
   if (!said.empty()) return Back::kSlats;
   if (p.is_style("modern") || p.is_style("scandinavian")) return Back::kPanel;
-  if (p.is_style("traditional")) return Back::kSpindles;
+  if (p.is_style("traditional") || p.is_style("victorian")) return Back::kSpindles;
   constexpr Back kWays[] = {Back::kSlats, Back::kPanel, Back::kUprights, Back::kSpindles};
   return p.is_style("rustic") ? Back::kSlats : kWays[p.variant(4)];
 }

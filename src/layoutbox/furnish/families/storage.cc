@@ -20,13 +20,15 @@ void cabinet_of(Piece& p, const Style& style) {
   const int body = p.painted_frame(style.body);
   const int front = p.color_asked() ? p.main(style.front) : style.front == style.body ? body : p.frame(style.front);
   double feet = p.number("feet", style.feet);
+  const bool mid_century = p.is_style("mid-century") && p.h < 1.3;
+  if (mid_century && feet > 0.04) feet = std::clamp(p.h * 0.2 - 0.02, feet, 0.18);
   const double under = p.clear_below(0);
   bool open_below = false;
   for (const FreeSpace& s : p.spaces) open_below = open_below || (s.box.min.z < feet + 0.01 && s.carries);
   if (under > 0 && !open_below) feet = under;
   if (open_below || p.h < feet * 3) feet = 0;
   if (feet > 0.04) {
-    p.legs(p.named(style.body == "lacquer" ? "oak" : "walnut"), feet, 0.035, 0.03, true, 0.6);
+    p.legs(p.named(style.body == "lacquer" ? "oak" : "walnut"), feet, 0.035, mid_century ? 0.08 : 0.03, true, mid_century ? 0.4 : 0.6);
   } else if (feet > 0) {
     p.add(body, box(sides(-p.w / 2 + 0.02, p.w / 2 - 0.02, -p.d / 2 + 0.05, p.d / 2, 0, feet), 0.003));
   }

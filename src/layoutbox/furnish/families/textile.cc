@@ -217,7 +217,7 @@ void blind(Piece& p) {
   const double pitch = 0.045, thick = std::min(0.003, p.d * 0.1);
   const int n = std::max(2, static_cast<int>((p.h - 0.06) / pitch));
   for (int i = 0; i <= n; ++i) {
-    const double z = std::min(0.01, p.h * 0.02) + (p.h - 0.07) * i / n, t = i == 0 ? 0.01 : thick;
+    const double z = std::min(0.008, p.h * 0.02) + (p.h - 0.07) * i / n, t = i == 0 ? 0.01 : thick;
     p.add(cloth, box(sides(-p.w / 2 + 0.005, p.w / 2 - 0.005, -p.d * 0.42, p.d * 0.42, z - std::min(z, t / 2), z + t / 2), 0));
   }
 }
