@@ -74,8 +74,10 @@ bool RelationBuilder::repeats_known(const Link& link, R type, const std::vector<
   return false;
 }
 
+namespace {
+
 // Does it hang on a wall and is used there, in the room that the other leaves: a seat in a shower?
-static bool is_used_within(const Catalog& catalog, const SceneObject& object, const SceneObject& other) {
+bool is_used_within(const Catalog& catalog, const SceneObject& object, const SceneObject& other) {
   const CatalogEntry *thing = catalog.find(object.category), *host = catalog.find(other.category);
   if (thing == nullptr || host == nullptr || thing->mount != Mount::kWall || thing->used_sides.empty()) return false;
   const Size& size = thing->size.usual;
@@ -84,6 +86,8 @@ static bool is_used_within(const Catalog& catalog, const SceneObject& object, co
            space.max[2] >= thing->hang_height + size.height;
   });
 }
+
+}  // namespace
 
 void RelationBuilder::add(const Link& link, R type, std::vector<std::string> targets, std::vector<std::string> references,
                           const PhraseSense& sense) {
