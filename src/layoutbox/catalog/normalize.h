@@ -14,7 +14,8 @@ struct NormalizeOptions {
   bool default_openings = true;
 };
 
-// The corners of a room of that shape ("L", "T", "U", "round": eight walls; anything else: a rectangle) within a box of that width and depth, in millimetres.
+// The corners of a room of that shape ("L", "T", "U", "round": eight walls; anything else: a rectangle) within a box of that width and
+// depth, in millimetres.
 std::vector<Point> room_outline(std::string_view shape, Mm width, Mm depth);
 
 // Fills the room (polygon, walls, height, openings), every object's category, size range, mount and used sides, and the support of

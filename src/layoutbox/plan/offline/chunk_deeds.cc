@@ -40,7 +40,8 @@ bool Chunker::read_wishing() {
 bool Chunker::is_for_whom(std::size_t at) const {
   if (at + 1 >= tokens_.size()) return false;
   const std::string& word = tokens_[at].text;
-  return word.ends_with("self") || word.ends_with("selves") || word == "me" || word == "us" || word == "him" || word == "her" || word == "them";
+  return word.ends_with("self") || word.ends_with("selves") || word == "me" || word == "us" || word == "him" || word == "her" ||
+         word == "them";
 }
 
 // "he also owns a rocking chair": a piece of furniture somebody has is there; a cat, a boat and a shop are told of.

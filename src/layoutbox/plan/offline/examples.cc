@@ -111,7 +111,8 @@ class ExampleReader : public TokenReader {
     if (bracket) leave_out(list->end, list->end + 1);
     const auto count_of = [&](std::size_t k) { return shared / listed + (static_cast<int>(k) < shared % listed); };
     if (behind == 0) {
-      for (std::size_t k = 0; shared >= listed && k < list->bare.size(); ++k) splices_.push_back({list->bare[k], number_token(count_of(k))});
+      for (std::size_t k = 0; shared >= listed && k < list->bare.size(); ++k)
+        splices_.push_back({list->bare[k], number_token(count_of(k))});
       return;
     }
     // What the bracket lists comes before the place.

@@ -188,8 +188,7 @@ PlacedOpenings placed_openings(const Document& document) {
         const std::string said = wall_said(link, by);
         // "windows in the left and back walls": of several one in each, as they are named.
         const bool many = openings_said(mention.noun) > 1 || mention.noun.plural;
-        if (by.kind == NounKind::kWall && !said.empty() && !wall.empty() && wall != said && many)
-          placed.push_back({&mention, wall, {}});
+        if (by.kind == NounKind::kWall && !said.empty() && !wall.empty() && wall != said && many) placed.push_back({&mention, wall, {}});
         if (!said.empty() || mention.noun.wall_word.empty()) wall = said;
         if (by.kind == NounKind::kCorner) corner = by.wall_word;
       }

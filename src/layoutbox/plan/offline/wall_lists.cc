@@ -19,7 +19,8 @@ void complete_wall_lists(const Lexicon& lexicon, Document& document, std::vector
     const std::size_t second = joiner + 1 + article, length = side_at(second);
     const std::size_t wall = second + length;
     // "the left and right walls" is one phrase to the reader.
-    const bool shared = length > 0 && (article > 0 ? says_one_of(document, wall, {"wall", "walls"}) : says_one_of(document, wall, {"wall"}));
+    const bool shared =
+        length > 0 && (article > 0 ? says_one_of(document, wall, {"wall", "walls"}) : says_one_of(document, wall, {"wall"}));
     if (!shared) continue;
     Token word = tokens[wall];
     word.text = "wall";

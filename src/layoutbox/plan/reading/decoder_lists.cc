@@ -100,7 +100,8 @@ bool Decoder::goes_on_with_clause(const State& state, int u) const {
 bool Decoder::never_closes(const State& state, int u) const {
   constexpr Mm kGreat = 450;  // what is smaller may well be one more of what lies there
   const NounPhrase& noun = chunk(u).noun;
-  if (unit(u).joiner != Joiner::kComma || open_list(state) < 2 || noun.entry == nullptr || noun.entry->size.usual.width < kGreat) return false;
+  if (unit(u).joiner != Joiner::kComma || open_list(state) < 2 || noun.entry == nullptr || noun.entry->size.usual.width < kGreat)
+    return false;
   for (int v = u + 1; v < static_cast<int>(sentence_.size()) && !unit(v).clause; ++v) {
     if (is(v, UnitKind::kNoun) && unit(v).joiner != Joiner::kNone && unit(v).joiner != Joiner::kComma) return false;
   }
