@@ -136,6 +136,15 @@ void keep_finding(const std::string& name, const SceneGraph& scene, const Judge&
   (void)write_file(place.string() + ".txt", judge(small) + "\n");
 }
 
+// … and what was planted and not found again, with the layout that there is.
+void keep_planted(std::uint64_t seed, const Scene& made) {
+  const char* folder = std::getenv("LAYOUTBOX_FINDINGS");
+  if (folder == nullptr || !made.planted) return;
+  const std::string place = (std::filesystem::path(folder) / ("planted-" + std::to_string(seed))).string();
+  (void)write_file(place + ".whole.json", write_scene(made.scene));
+  (void)write_file(place + ".layout.json", write_layout(*made.planted));
+}
+
 struct Tally {
   int solved = 0, relaxed = 0, not_found = 0;
   std::map<std::string, int> faults;
@@ -158,6 +167,7 @@ void run(bool planted, const std::function<std::string(const SceneGraph&, const 
     tally.solved += layout && layout->status == LayoutStatus::kSolved;
     tally.relaxed += layout && layout->status == LayoutStatus::kRelaxed;
     tally.not_found += !layout;
+    if (planted && (!layout || layout->status != LayoutStatus::kSolved)) keep_planted(seed, made);
     const std::string fault = fault_of_answer(made.scene, layout);
     if (fault.empty()) continue;
     if (++tally.faults[kind_of(fault)] == 1) {

@@ -309,8 +309,28 @@ class Maker {
            placed.position[2] + placed.size.height / 2.0 <= host->position[2] + host->size.height;
   }
 
+  // On what one lies or kneels nothing stands, thin as it is: the solver keeps that free.
+  bool lies_free() const {
+    const auto half = [](const PlacedObject& o, int axis) {
+      const bool turned = static_cast<int>(o.rotation_deg) % 180 == 90;
+      return ((axis == 0) != turned ? o.size.width : o.size.depth) / 2.0;
+    };
+    const auto over = [&](const PlacedObject& one, const PlacedObject& other, int axis) {
+      const auto at = static_cast<std::size_t>(axis);
+      return std::abs(one.position[at] - other.position[at]) < half(one, axis) + half(other, axis);
+    };
+    return std::ranges::all_of(layout_.objects, [&](const PlacedObject& mat) {
+      if (!Catalog::builtin().entry_or_nearest(mat.category).lain_on) return true;
+      return std::ranges::none_of(layout_.objects, [&](const PlacedObject& other) {
+        const bool stands = other.id != mat.id && other.mount == Mount::kFloor && other.supported_by == "floor";
+        return stands && over(mat, other, 0) && over(mat, other, 1);
+      });
+    });
+  }
+
   // Nothing overlaps, stands in the air, reaches out of the room or stands before an opening.
   bool possible() const {
+    if (!lies_free()) return false;
     VerifyOptions strict;
     strict.collision_tolerance_m = strict.support_tolerance_m = 0;
     const checks::RoomView view(layout_, Catalog::builtin(), strict);
@@ -424,6 +444,14 @@ class Maker {
     if (relation.type == RelationType::kAbove) relation.parameters.gap.reset();
   }
 
+  // Nobody says of one table that it stands around the cup on it; the solver looks for a ring outside of what it is around.
+  bool surrounds_its_load(const Relation& relation) const {
+    if ((relation.type != RelationType::kSurround && relation.type != RelationType::kAround) || relation.references.size() != 1)
+      return false;
+    const PlacedObject* load = layout_.find_object(relation.references[0]);
+    return load != nullptr && std::ranges::find(relation.targets, load->supported_by) != relation.targets.end();
+  }
+
   // Draws relations until enough of them hold in the planted layout, without any slack.
   void read_relations(int wanted) {
     if (scene_.objects.empty()) return;
@@ -444,7 +472,7 @@ class Maker {
     for (std::size_t i = 0; i < drawn.relations.size() && wanted > 0; ++i) {
       const Relation& relation = drawn.relations[i].relation;
       int& used = of_type[static_cast<std::size_t>(relation.type)];
-      if (!report.checks[i].passed || used >= 2) continue;
+      if (!report.checks[i].passed || used >= 2 || surrounds_its_load(relation)) continue;
       ++used, --wanted;
       scene_.relations.push_back(relation);
     }

@@ -14,7 +14,7 @@ Detail detail() { return level; }
 
 int sides_at_detail(int sides) {
   if (level == Detail::kUsual || sides < 8) return sides;
-  if (level == Detail::kLow) return std::max(8, (sides + 7) / 8 * 4);
+  if (level == Detail::kLow) return std::min(sides, std::max(8, (sides + 7) / 8 * 4));  // what is coarse already stays so
   return (sides * 7 / 4 + 3) / 4 * 4;
 }
 

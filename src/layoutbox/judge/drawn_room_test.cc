@@ -65,7 +65,7 @@ TEST(DrawnRoom, MeshesThatAreElsewhereAreFound) {
   EXPECT_THAT(moved("lamp_1", {0, 0, 0.025}), Contains("drawnSupport lamp_1"));
   EXPECT_THAT(moved("lamp_1", {0, 0, -0.025}), Contains("drawnCollision nightstand_1 / lamp_1"));
   EXPECT_THAT(moved("bed_1", {0, 0, 0.025}), Contains("drawnSupport bed_1"));
-  EXPECT_THAT(moved("nightstand_1", {-0.03, 0, 0}), Contains("drawnCollision bed_1 / nightstand_1"));
+  EXPECT_THAT(moved("nightstand_1", {-0.04, 0, 0}), Contains("drawnCollision bed_1 / nightstand_1"));
   EXPECT_THAT(moved("painting_1", {0.03, 0, 0}), Contains("drawnSupport painting_1"));
   EXPECT_THAT(moved("wardrobe_1", {0.1, 0, 0}), Contains("drawnOutOfBounds wardrobe_1"));
   EXPECT_THAT(moved("pendant_1", {0, 0, -0.03}), Contains("drawnSupport pendant_1"));
