@@ -14,13 +14,13 @@ Detail detail() { return level; }
 
 int sides_at_detail(int sides) {
   if (level == Detail::kUsual || sides < 8) return sides;
-  if (level == Detail::kLow) return std::min(sides, std::max(8, (sides + 7) / 8 * 4));  // what is coarse already stays so
+  if (level == Detail::kLow) return std::max(8, (sides + 7) / 8 * 4);
   return (sides * 7 / 4 + 3) / 4 * 4;
 }
 
 int steps_at_detail(int steps, int least) {
   switch (level) {
-    case Detail::kLow: return std::max(least, steps / 2);
+    case Detail::kLow: return std::min(steps, std::max(least, steps / 2));  // what is coarse already stays so
     case Detail::kUsual: return steps;
     case Detail::kHigh: return steps * 2;
   }
