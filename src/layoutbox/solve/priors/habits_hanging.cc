@@ -1,4 +1,4 @@
-// Habits of what hangs on walls and from ceilings.
+// Habits of what hangs on walls.
 #include "layoutbox/catalog/groups.h"
 #include "layoutbox/solve/priors/habits.h"
 
@@ -7,80 +7,8 @@ namespace {
 
 constexpr int kHangHeight = 600;  // points a metre
 constexpr Mm kMostUnder = 1300;   // what is higher has nothing above it
-constexpr int kStrewn = 6;        // on the ceiling
 
 }  // namespace
-
-bool Habits::told_where_it_hangs(int item) const {
-  return std::ranges::any_of(model_.scene->relations, [&](const Relation& r) {
-    return r.type != RelationType::kOnCeiling && std::ranges::find(r.targets, model_.items[item].id) != r.targets.end();
-  });
-}
-
-// Lamps over tables, else in the middle of the room.
-void Habits::hang_from_ceiling(int item) {
-  // Above its thing, in its corner: the middle of the room would pull it off.
-  if (hang_along(item) || told_where_it_hangs(item)) return;
-  const Item& self = model_.items[item];
-  std::vector<int> below = items_of_kinds(Groups::usual_at(Groups::builtin().hangs, *model_.catalog, *self.entry, Mount::kCeiling), item);
-  if (self.is(Trait::kLamp))  // over no desk at a wall
-    std::erase_if(below, [&](int i) { return model_.items[i].entry->back_to_wall && !model_.items[i].is(Trait::kBed); });
-  if (!below.empty()) std::erase_if(below, [&, kind = model_.items[below[0]].entry](int i) { return model_.items[i].entry != kind; });
-  // Several share the tables there are, and the length of each.
-  std::vector<int> peers;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int other = static_cast<int>(i);
-    if (model_.items[i].entry == self.entry && model_.items[i].mount == Mount::kCeiling && !told_where_it_hangs(other))
-      peers.push_back(other);
-  }
-  const auto rank = std::ranges::find(peers, item) - peers.begin(), n = std::ssize(peers);
-  const auto tables = std::max<std::ptrdiff_t>(1, std::ssize(below));
-  const auto place = rank / tables, sharing = std::max<std::ptrdiff_t>(1, (n - rank % tables + tables - 1) / tables);
-  const auto aside2 = [&](Mm length) { return Linear(std::int64_t{length} * (2 * place + 1 - sharing) / sharing); };
-  Formula f;
-  std::vector<int> hosts;
-  if (below.empty()) {
-    const int along = model_.room.extent(0) >= model_.room.extent(1) ? 0 : 1;
-    Case& c = f.add();
-    c.wish(mid2(item, along) - room_mid2(model_, along) - aside2(model_.room.extent(along)), kHangs, 2);
-    // Many small ones (stars, balloons) are strewn over all of it, not in one line.
-    const Mm third = model_.room.extent(1 - along) / 3;
-    const auto off = sharing >= kStrewn && !self.is(Trait::kLamp) ? 2 * third * (2 * place % 3 - 1) : 0;
-    c.wish(mid2(item, 1 - along) - room_mid2(model_, 1 - along) - Linear(off), kHangs, 2);
-  } else {
-    hosts.push_back(below[static_cast<std::size_t>(rank % tables)]);
-    const Size& size = model_.items[hosts[0]].states[0].size;
-    for_each_turn(model_.items[hosts[0]], [&](int turn, std::uint64_t states) {
-      const int right = side_direction(model_.items[hosts[0]], Side::kRight, turn).axis;
-      const int along = size.width >= size.depth ? right : 1 - right;
-      Case& c = f.add().when(hosts[0], states);
-      c.wish(mid2(item, along) - mid2(hosts[0], along) - aside2(std::max(size.width, size.depth)), kHangs, 2);
-      c.wish(mid2(item, 1 - along) - mid2(hosts[0], 1 - along), kHangs, 2);
-    });
-  }
-  habit("hangs", item, kHangs, std::move(f), hosts);
-  if (hosts.empty()) hang_clear(item);
-}
-
-// What hangs from the ceiling down to the floor beside a bed or a couch (a ward's curtain) hangs along its long side.
-bool Habits::hang_along(int item) {
-  constexpr Mm kOff = 120;
-  const int host = curtained_by(item);
-  if (host < 0) return false;
-  Formula f;
-  for_each_turn(model_.items[host], [&](int turn, std::uint64_t states) {
-    if (turn % 90 != 0) return;
-    const int along = side_direction(model_.items[host], Side::kBack, turn).axis;
-    for (const Side side : {Side::kLeft, Side::kRight}) {
-      const Direction d = side_direction(model_.items[host], side, turn);
-      Case& c = f.add().when(host, states).when(item, states_with_width_along(model_.items[item], along));
-      c.wish(gap_towards(item, host, d) - Linear(kOff), kHangs).wish(mid2(item, along) - mid2(host, along), kHangs, 2);
-      c.require(gap_towards(item, host, d));
-    }
-  });
-  habit("hangs along", item, kHangs, std::move(f), {host});
-  return true;
-}
 
 // The bed or couch that it is told to hang next to, else where nothing is told the bed of its rank; -1: none.
 int Habits::curtained_by(int item) const {
@@ -98,24 +26,6 @@ int Habits::curtained_by(int item) const {
     if (!other.is_opening() && other.is(Trait::kBed) && other.mount == Mount::kFloor) beds.push_back(static_cast<int>(i));
   }
   return beds.empty() ? -1 : beds[static_cast<std::size_t>(rank_of(item)) % beds.size()];
-}
-
-// What hangs so low that one stands before it (a punching bag) hangs clear of what is on the floor, and of its like.
-void Habits::hang_clear(int item) {
-  constexpr Mm kHeadroom = 1900, kAround = 700;
-  constexpr int kClear = 600;  // points a metre
-  if (model_.room.extent(2) - model_.items[item].states[0].size.height >= kHeadroom) return;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int other = static_cast<int>(i);
-    const Item& ref = model_.items[i];
-    const bool alike = ref.entry == model_.items[item].entry && other < item;
-    if (ref.is_opening() || ref.thin || !(alike || ref.mount == Mount::kFloor) || related(item, other)) continue;
-    Formula f;
-    for (const int axis : {0, 1}) {
-      for (const int sign : {1, -1}) f.add().require(gap_towards(item, other, {axis, sign}) - Linear(kAround));
-    }
-    habit("hangs clear", item, kClear, std::move(f));
-  }
 }
 
 // Several of a kind of which the same is said (hooks above a bench, three pictures) hang side by side at one height.
