@@ -28,7 +28,7 @@ std::vector<const CatalogEntry*> hosts_of(const json& scene, const json& relatio
   const json to = relation.value("relativeTo", json());
   for (const json& reference : to.is_array() ? to : json::array({to})) {
     for (const json& object : scene.value("furniture", json::array())) {
-      if (object.is_object() && reference.is_string() && text_of(object, "id") == reference)
+      if (object.is_object() && reference.is_string() && text_of(object, "id") == reference.get<std::string>())
         hosts.push_back(&catalog.entry_or_nearest(text_of(object, "category")));
     }
   }

@@ -140,6 +140,7 @@ class Decoder {
   double share_kind_score(const State& state, int member, int u, Referent implied, const NounPhrase& by) const;
   bool is_pair(const State& state, int member, int u) const;
   bool lies_on_placed(int u, const NounPhrase& host) const;
+  double closing_score(const State& state, int u, Referent owner, const NounPhrase& host) const;
   double content_list_score(const State& state, int member, int u) const;
   bool looked_at_elsewhere(const NounPhrase& host, const NounPhrase& noun) const;
   double list_kind_score(const State& state, int member, int u, std::size_t length) const;

@@ -163,6 +163,14 @@ bool Decoder::lies_on_placed(int u, const NounPhrase& host) const {
   return by_room && laid && mount_of(noun) == Mount::kSurface && sense_.carries(host, noun);
 }
 
+// Whether what somebody has ends before the noun at u. "each desk with monitor, keyboard, chair": every one has all of them.
+double Decoder::closing_score(const State& state, int u, Referent owner, const NounPhrase& host) const {
+  if (goes_on_with_clause(state, u)) return weight::kClosesList;
+  const bool of_each = owner >= 0 && chunk(owner).noun.determiner == Determiner::kEach;
+  const bool seat = is_table(lexicon_.catalog(), host) && is_seat(lexicon_.catalog(), chunk(u).noun);
+  return !of_each && !seat && never_closes(state, u) ? weight::kNeverCloses : 0;
+}
+
 // "a desk with a lamp and a clock": the clock is the desk's as well.
 double Decoder::content_list_score(const State& state, int member, int u) const {
   const UnitReading& reading = read_as(state, member);
@@ -179,10 +187,7 @@ double Decoder::content_list_score(const State& state, int member, int u) const 
       one_of(document_.tokens[end + 1].text, {"all", "everyone", "everybody", "both"}))
     return -6;
   if (is_common(noun)) return -6;
-  // "each desk with monitor, keyboard, chair": every one has all of them
-  const bool of_each = owner >= 0 && chunk(owner).noun.determiner == Determiner::kEach;
-  const bool outside = !of_each && never_closes(state, u) && !(is_table(lexicon_.catalog(), host) && is_seat(lexicon_.catalog(), noun));
-  double score = goes_on_with_clause(state, u) ? weight::kClosesList : outside ? weight::kNeverCloses : 0;
+  double score = closing_score(state, u, owner, host);
   bool ended = false;
   std::size_t length = 0;
   for (int m = member; m >= 0; m = read_as(state, m).former, ++length) {

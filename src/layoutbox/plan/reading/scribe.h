@@ -19,6 +19,7 @@ class Scribe {
  private:
   void write_noun(int u);
   void write_place(int u);
+  void grow_alone(const Link& link);
   void write_place_alone(int u);
   int whole_of(int mention);
   std::vector<int> references_alone(int u, const Link& link);

@@ -90,6 +90,19 @@ void Scribe::mean_side_of_room(Link& link) {
   if (left != right) link.senses = {{RelationType::kInRegion, Direction::kAlone, {}, left ? RoomRegion::kLeft : RoomRegion::kRight, {}}};
 }
 
+// How many there are of what stands at the sides of something, or by each of several.
+void Scribe::grow_alone(const Link& link) {
+  const int by = link.references.empty() ? -1 : link.references.front();
+  const std::vector<int> targets = link.targets;
+  for (const int target : targets) {
+    if (link.each) grow_for_sides(link, target, by);
+    // "each with a lamp at its left and a bin at its right": a bin for each.
+    if (link.references.size() != 1 || target == by || !mention_at(by).distributes) continue;
+    const bool anew = is_thing(target) && mention_at(target).introduces && noun_of(target).determiner == Determiner::kIndefinite;
+    if (anew) grow_for_each(target, by);
+  }
+}
+
 void Scribe::write_place_alone(int u) {
   const UnitReading& own = reading(u);
   Link link = link_at_unit(u);
@@ -122,17 +135,7 @@ void Scribe::write_place_alone(int u) {
   link.implied = true;
   link.other_side = unit(u).other && says(link.senses, RelationType::kNextTo);
   link.one_side = chunk(u).phrase.one && says(link.senses, RelationType::kNextTo);
-  if (link.each && !own.fronted) {
-    for (const int target : link.targets) grow_for_sides(link, target, link.references.empty() ? -1 : link.references.front());
-  }
-  // "each with a lamp at its left and a bin at its right": a bin for each.
-  if (!own.fronted && link.references.size() == 1 && mention_at(link.references.front()).distributes) {
-    const int each = link.references.front();
-    for (const int target : link.targets) {
-      const bool anew = is_thing(target) && mention_at(target).introduces && noun_of(target).determiner == Determiner::kIndefinite;
-      if (anew && target != each) grow_for_each(target, each);
-    }
-  }
+  if (!own.fronted) grow_alone(link);
   const bool one_side = link.one_side;
   const std::vector<int> targets = link.targets;
   const int added = add_link(u, std::move(link));
