@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "layoutbox/base/words.h"
-#include "layoutbox/embedded/catalog_data.h"
+#include "layoutbox/furnish/decor_data.h"
 #include "layoutbox/furnish/palette.h"
 #include "layoutbox/furnish/room_colors.h"
 
@@ -13,11 +13,6 @@ namespace layoutbox {
 namespace {
 
 using Json = nlohmann::json;
-
-const Json& data() {
-  static const Json all = Json::parse(embedded::decor_json);
-  return all;
-}
 
 std::uint64_t hash(std::string_view text, std::uint64_t seed) {
   std::uint64_t h = 1469598103934665603ULL ^ (seed * 0x9E3779B97F4A7C15ULL);
@@ -31,15 +26,6 @@ const auto& one_of(const List& list, std::uint64_t number) {
 }
 
 Color color_of(const Json& json) { return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()}; }
-
-// Whether a list of words "a b c" has the word.
-bool lists(std::string_view words, std::string_view word) {
-  for (std::size_t at = words.find(word); at != std::string_view::npos; at = words.find(word, at + 1)) {
-    const bool begins = at == 0 || words[at - 1] == ' ', ends = at + word.size() == words.size() || words[at + word.size()] == ' ';
-    if (begins && ends) return true;
-  }
-  return false;
-}
 
 struct Style {
   std::string name;
@@ -57,7 +43,7 @@ std::string lower_case(std::string_view text) {
 // "Loft bed": words of a style that are of a thing's name.
 bool names_a_thing(std::string_view text) {
   const std::string lower = lower_case(text);
-  return std::ranges::any_of(data().at("no_styles"), [&](const Json& name) {
+  return std::ranges::any_of(decor_data().at("no_styles"), [&](const Json& name) {
     const auto phrase = name.get<std::string>();
     const bool over = lower.size() <= phrase.size() || std::isalpha(static_cast<unsigned char>(lower[phrase.size()])) == 0;
     return over && lower.starts_with(phrase);
@@ -67,7 +53,7 @@ bool names_a_thing(std::string_view text) {
 // "make it dark": where no style is named, what the room is to feel like.
 Style mood_of(std::string_view text) {
   const std::string lower = lower_case(text) + ".";  // phrases may end a sentence
-  for (const auto& [name, mood] : data().at("moods").items()) {
+  for (const auto& [name, mood] : decor_data().at("moods").items()) {
     const bool said = std::ranges::any_of(mood.at("says"),
                                           [&](const Json& phrase) { return lower.find(phrase.get<std::string>()) != std::string::npos; });
     if (said) return {name, &mood};
@@ -85,7 +71,7 @@ Style style_of(std::string_view text) {
       continue;
     }
     if (word.size() > 2 && !names_a_thing(text.substr(i - word.size(), kLongestName))) {
-      for (const auto& [words, style] : data().at("styles").items()) {
+      for (const auto& [words, style] : decor_data().at("styles").items()) {
         if (lists(words, word)) return {words.substr(0, words.find(' ')), &style};
       }
     }
@@ -95,10 +81,10 @@ Style style_of(std::string_view text) {
 }
 
 const Json& room_data(std::string_view kind) {
-  for (const auto& [kinds, room] : data().at("looks").items()) {
+  for (const auto& [kinds, room] : decor_data().at("looks").items()) {
     if (!kind.empty() && lists(kinds, kind)) return room;
   }
-  return data().at("looks").at("default");
+  return decor_data().at("looks").at("default");
 }
 
 // The value whose key "a b c" lists the word; empty where none does.
@@ -124,7 +110,7 @@ Color wall_of(const std::vector<Color>& said) {
 
 // The colours of a child's room, by whose it is.
 const Json& child_palette(std::string_view prompt) {
-  const Json& palettes = data().at("child_palettes");
+  const Json& palettes = decor_data().at("child_palettes");
   for (const std::string& word : words_of(prompt)) {
     for (const auto& [words, colors] : palettes.items()) {
       if (lists(words, word)) return colors;
@@ -136,7 +122,7 @@ const Json& child_palette(std::string_view prompt) {
 // "A shelf for the toys", "shelves stacked with jars": what the text says that shelves hold, by the word for them.
 std::map<std::string, std::string, std::less<>> shelves_said(std::string_view prompt) {
   constexpr std::size_t kReach = 5;  // words from the shelf to what it holds
-  const Json& holders = data().at("shelf_holders");
+  const Json& holders = decor_data().at("shelf_holders");
   const std::string joins = holders.at("joins").get<std::string>(), nouns = holders.at("nouns").get<std::string>();
   std::map<std::string, std::string, std::less<>> said;
   for (std::size_t at = 0; at < prompt.size();) {
@@ -145,7 +131,7 @@ std::map<std::string, std::string, std::less<>> shelves_said(std::string_view pr
     for (std::size_t i = 0; i + 1 < words.size(); ++i) {
       if (!lists(nouns, words[i]) || !lists(joins, words[i + 1])) continue;
       for (std::size_t k = i + 2; k < std::min(words.size(), i + 2 + kReach); ++k) {
-        std::string contents = value_listed(data().at("shelf_words"), words[k]);
+        std::string contents = value_listed(decor_data().at("shelf_words"), words[k]);
         if (!contents.empty()) said.emplace(singular_of(words[i]), std::move(contents));
       }
     }
@@ -156,9 +142,9 @@ std::map<std::string, std::string, std::less<>> shelves_said(std::string_view pr
 
 // A room for children, or a bedroom of one by the words of the text.
 bool is_childs(const std::string& kind, std::string_view prompt) {
-  const Json& children = data().at("child_rooms");
+  const Json& children = decor_data().at("child_rooms");
   if (std::find(children.begin(), children.end(), kind) != children.end()) return true;
-  const std::string whose = data().at("child_words").get<std::string>();
+  const std::string whose = decor_data().at("child_words").get<std::string>();
   return kind == "bedroom" && std::ranges::any_of(words_of(prompt), [&](const std::string& word) { return lists(whose, word); });
 }
 
@@ -170,7 +156,7 @@ std::string floor_name(const std::string& asked) {
 
 std::vector<std::string> woods_on(const std::string& floor, std::uint64_t chance) {
   std::vector<std::string> woods;
-  const Json& all = data().at("woods");
+  const Json& all = decor_data().at("woods");
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Json& wood = all[(i + chance) % all.size()];
     const Json& not_on = wood.at("not_on");
@@ -198,22 +184,22 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
   Decor decor;
   decor.chance = chance;
   decor.parapet = room.value("parapet", false);
-  decor.shelves = value_listed(data().at("shelves"), kind);
-  decor.cases = value_listed(data().at("cases"), kind);
+  decor.shelves = value_listed(decor_data().at("shelves"), kind);
+  decor.cases = value_listed(decor_data().at("cases"), kind);
   // A style that has walls of its own goes before what such rooms mostly look like.
   const bool strong = style != nullptr && (style->contains("walls") || style->contains("wall"));
   const bool own_floor = style != nullptr && style->contains("floors") && (strong || !room.value("plain", false));
   decor.floor = one_of(own_floor ? style->at("floors") : room.at("floors"), chance).get<std::string>();
   const bool plain = room.value("plain", false);
-  decor.wall = color_of(one_of(data().at(plain ? "plain_walls" : "walls"), chance >> 8));
-  if (room.value("tiled", false)) decor.wall_finish = data().at("tiled_wall").get<std::string>();
+  decor.wall = color_of(one_of(decor_data().at(plain ? "plain_walls" : "walls"), chance >> 8));
+  if (room.value("tiled", false)) decor.wall_finish = decor_data().at("tiled_wall").get<std::string>();
   const std::string& floor = layout.room.floor_material.empty() ? decor.floor : layout.room.floor_material;
   decor.woods = woods_on(floor_name(floor), chance >> 16);
   if (is_childs(kind, layout.prompt)) {
     take_palette(decor, child_palette(layout.prompt));
     decor.woods = {"birch", "lacquer"};
   } else {
-    take_palette(decor, one_of(data().at("palettes"), chance >> 24));
+    take_palette(decor, one_of(decor_data().at("palettes"), chance >> 24));
   }
   if (style != nullptr) decor = decor_of_thing(decor, layout.prompt);
   if (style != nullptr && style->contains("walls") && decor.wall_finish.empty())
@@ -223,9 +209,9 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
   decor.parts = part_looks(layout.prompt);
   if (std::vector<Color> said = room_colors(layout.prompt); !said.empty()) {
     constexpr double kDarkened = 0.55;
-    const bool dark = style != nullptr && style == &data().at("moods").at("dark");
+    const bool dark = style != nullptr && style == &decor_data().at("moods").at("dark");
     decor.wall = dark ? mixed(said.front(), decor.wall, kDarkened) : wall_of(said);
-    if (lists(data().at("colored_fronts").get<std::string>(), kind)) decor.parts.emplace("fronts", PartLook{{said.front()}, nullptr});
+    if (lists(decor_data().at("colored_fronts").get<std::string>(), kind)) decor.parts.emplace("fronts", PartLook{{said.front()}, nullptr});
     decor.accents = std::move(said);
     decor.colors_said = true;
   }
@@ -237,7 +223,7 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
 std::string shelf_contents_named(std::string_view text) {
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find_first_of(" ,", at), text.size());
-    if (std::string found = value_listed(data().at("shelf_words"), text.substr(at, end - at)); !found.empty()) return found;
+    if (std::string found = value_listed(decor_data().at("shelf_words"), text.substr(at, end - at)); !found.empty()) return found;
     at = end + 1;
   }
   return "";
@@ -251,7 +237,7 @@ Decor decor_of_thing(const Decor& room, std::string_view text) {
   decor.woods.clear();
   for (const Json& wood : style->at("woods")) decor.woods.push_back(wood.get<std::string>());
   decor.metal = style->value("metal", room.metal);
-  if (style->contains("palette")) take_palette(decor, data().at("palettes")[style->at("palette").get<std::size_t>()]);
+  if (style->contains("palette")) take_palette(decor, decor_data().at("palettes")[style->at("palette").get<std::size_t>()]);
   return decor;
 }
 

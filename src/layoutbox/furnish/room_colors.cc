@@ -5,23 +5,13 @@
 #include <string>
 
 #include "layoutbox/base/words.h"
-#include "layoutbox/embedded/catalog_data.h"
+#include "layoutbox/furnish/decor_data.h"
 #include "layoutbox/furnish/palette.h"
 
 namespace layoutbox {
 namespace {
 
 using Json = nlohmann::json;
-
-const Json& data() {
-  static const Json all = Json::parse(embedded::decor_json);
-  return all;
-}
-
-bool lists(const char* key, const std::string& word) {
-  const std::vector<std::string> words = words_of(data().at(key).get<std::string>());
-  return std::ranges::find(words, word) != words.end();
-}
 
 // The colours of words that name nothing but colours ("pink and white"); none where another word is among them.
 std::vector<Color> only_colors(std::string_view words) {
@@ -31,7 +21,7 @@ std::vector<Color> only_colors(std::string_view words) {
     if (const SurfaceWish wish = read_wish(two.empty() ? word : two + " " + word); wish.color) {
       colors.push_back(*wish.color);
       two.clear();
-    } else if (lists("color_words", word)) {
+    } else if (lists(decor_data().at("color_words").get_ref<const std::string&>(), word)) {
       two = word;
     } else {
       return {};
@@ -51,7 +41,8 @@ std::vector<Color> colors_of_clause(std::string_view clause, bool opens) {
     const std::string_view item = clause.substr(at, end - at);
     const bool last = end == clause.size() && at > 0;
     const std::vector<std::string> words = words_of(item);
-    const bool of_all = std::ranges::any_of(words, [](const std::string& word) { return lists("color_markers", word); });
+    const bool of_all = std::ranges::any_of(
+        words, [](const std::string& word) { return lists(decor_data().at("color_markers").get_ref<const std::string&>(), word); });
     if (std::vector<Color> colors = only_colors(item); of_all || (last && colors.size() > 1)) said = std::move(colors);
     at = end + 1;
   }
@@ -63,7 +54,7 @@ std::vector<Color> colors_of_clause(std::string_view clause, bool opens) {
 
 // Colours that are no thing's: "in soft greens", "earth tones", and those before the room's own name ("a blue and white bedroom").
 std::vector<Color> theme_of_clause(std::string_view clause, bool opens) {
-  const Json& themes = data().at("color_themes");
+  const Json& themes = decor_data().at("color_themes");
   const std::vector<std::string> words = words_of(clause);
   std::vector<Color> colors;
   std::string before, two;
@@ -81,9 +72,9 @@ std::vector<Color> theme_of_clause(std::string_view clause, bool opens) {
     if (const SurfaceWish wish = read_wish(two.empty() ? word : two + " " + word); wish.color && wish.materials.empty()) {
       colors.push_back(*wish.color);
       two.clear();
-    } else if (word.ends_with("room") || lists("room_words", word)) {
+    } else if (word.ends_with("room") || lists(decor_data().at("room_words").get_ref<const std::string&>(), word)) {
       return colors;
-    } else if (lists("color_words", word)) {
+    } else if (lists(decor_data().at("color_words").get_ref<const std::string&>(), word)) {
       two = word;
     } else {
       break;

@@ -8,10 +8,8 @@
 namespace layoutbox::offline {
 
 namespace {
-using Class = WordClass;
-}  // namespace
 
-namespace {
+using Class = WordClass;
 
 // "the door to the bakehouse is at the back": where the door leads, in the two chunks from n on.
 void leave_out_where_it_leads(Document& document, NounPhrase& door, std::size_t n) {
@@ -30,10 +28,6 @@ void leave_out_where_it_leads(Document& document, NounPhrase& door, std::size_t 
     }
   }
 }
-
-}  // namespace
-
-namespace {
 
 // What is said of an opening's place where no wall is named: "entrance south", "window (east)", "the door is on the front", "man door
 // back right corner".

@@ -70,13 +70,12 @@ int openings_said(const NounPhrase& noun) {
   if (noun.wall_word == "ends" || noun.wall_word == "lengths") return 2;  // "a window at both ends"
   const bool glass = noun.kind == NounKind::kWindow && opening_look(OpeningType::kWindow, {words_of_opening(noun)}).whole;
   if (noun.count == 0 && (glass || (noun.kind == NounKind::kWindow && is_front(OpeningType::kWindow, noun)))) return 1;
-  const bool several = noun.plural || (noun.determiner != Determiner::kDefinite && noun.name.ends_with("doors"));
-  if (noun.kind == NounKind::kDoor && several) {
+  if (noun.kind == NounKind::kDoor && noun.plural) {
     const OpeningLook look = opening_look(OpeningType::kDoor, {words_of_opening(noun)});
     const bool of_leaves = look.leaves == 2 || look.slides;
     if (of_leaves && (noun.count == 0 || noun.name.find("double") != std::string::npos)) return 1;
   }
-  return noun.count > 0 ? noun.count : several ? 2 : 1;
+  return noun.count > 0 ? noun.count : noun.plural ? 2 : 1;
 }
 
 void settle_opening_sizes(Document& document) {

@@ -78,15 +78,7 @@ int Scribe::make_another(int u, const NounPhrase& noun) {
 
 // "two chairs on each long side and one on each short side": more of the kind.
 int Scribe::make_more(int u, const NounPhrase& noun) {
-  // "two chairs on one side, one on the other": more, where those before have their place
-  const bool other =
-      is(u + 1, UnitKind::kPlace) &&
-      (unit(u + 1).other || chunk(u + 1).phrase.other ||
-       (is(u + 2, UnitKind::kNoun) && chunk(u + 2).noun.kind == NounKind::kMember && chunk(u + 2).noun.determiner == Determiner::kOther));
-  bool one_side = false;  // "on one side" was said before
-  for (int v = 0; v < u; ++v) one_side |= is(v, UnitKind::kPlace) && chunk(v).phrase.one;
-  const bool apart = unit(u).joiner == Joiner::kComma && other && one_side;
-  const bool joined = unit(u).joiner == Joiner::kAnd || unit(u).joiner == Joiner::kCommaAnd || apart;
+  const bool joined = unit(u).joiner == Joiner::kAnd || unit(u).joiner == Joiner::kCommaAnd;
   if (!joined || noun.determiner != Determiner::kNone || noun.count == 0 || noun.subset || !is(u + 1, UnitKind::kPlace)) return -1;
   std::vector<int> kind = mentions_of(reading(u).meant);
   for (int before = u; before-- > 0;) {
