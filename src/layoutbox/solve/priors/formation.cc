@@ -11,7 +11,6 @@ namespace {
 
 constexpr Mm kBehindSeats = 300;     // left free behind and before rows of seats, and round mats
 constexpr Mm kSeatRoom = 850;        // behind a desk: the chair, and somebody getting up
-constexpr Mm kTucked = 200;          // how far a seat goes under its table
 constexpr Mm kForSeveral = 1500;     // so wide a seat is for several: an aisle leads to its ends
 constexpr Mm kBackOfSeat = 130;      // what of a chair stays before the edge
 constexpr Mm kBeforeKneeless = 100;  // from what one sits before without room for the knees

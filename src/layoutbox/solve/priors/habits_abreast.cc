@@ -87,7 +87,7 @@ void Habits::keep_tall_off_worked_at(int item) {
 
 // An island stands along the run, its front away from it, an aisle between. False: there is no run, or words say where it is.
 bool Habits::stand_along_run(int item) {
-  constexpr Mm kAisle = 1100;
+  constexpr Mm kBeforeRun = 1100;
   constexpr int kAlong = 300;
   if (placed_besides_facing(item)) return false;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
@@ -99,7 +99,7 @@ bool Habits::stand_along_run(int item) {
       if (turn % 90 != 0) return;
       const std::uint64_t alike = model_.items[item].states_at(turn);
       const Direction front = side_direction(run, Side::kFront, turn);
-      if (alike) f.add().when(unit, states).when(item, alike).wish(gap_towards(item, unit, front) - Linear(kAisle), kMiddle);
+      if (alike) f.add().when(unit, states).when(item, alike).wish(gap_towards(item, unit, front) - Linear(kBeforeRun), kMiddle);
     });
     if (f.cases.empty()) return false;
     habit("along the run", item, kAlong, std::move(f));

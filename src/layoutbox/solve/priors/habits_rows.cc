@@ -2,6 +2,7 @@
 // waits.
 #include "layoutbox/catalog/groups.h"
 #include "layoutbox/solve/priors/habits.h"
+#include "layoutbox/solve/priors/seating.h"
 
 namespace layoutbox::placement {
 namespace {
@@ -47,7 +48,7 @@ Mm Habits::teachers_depth() const {
 
 // The floor behind each of them that its seat takes: all of that where words put it behind or before, else what is not tucked under.
 Mm Habits::depth_of_seats(const Group& group) const {
-  constexpr Mm kTucked = 200, kOffDesk = 50;
+  constexpr Mm kOffDesk = 50;
   const int first = group.members[0];
   const Item& desk = model_.items[first];
   if (!desk.has_front || desk.is_seat || !(has_knee_room(desk) || desk.is(Trait::kDeskLike))) return 0;

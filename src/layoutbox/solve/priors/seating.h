@@ -8,6 +8,8 @@
 
 namespace layoutbox::placement {
 
+constexpr Mm kTucked = 200;  // how far a seat goes under its table
+
 // Seats at the front, back, left and right of a table.
 using Seats = std::array<int, 4>;
 
