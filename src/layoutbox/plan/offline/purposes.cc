@@ -21,7 +21,7 @@ void pass_over(Document& document, Chunk& chunk, std::string_view role) {
 bool is_whom_or_what_for(const Lexicon& lexicon, const Document& document, const Chunk& chunk) {
   if (chunk.kind == ChunkKind::kUnknown || chunk.kind == ChunkKind::kParticiple || document.tokens[chunk.last - 1].text == "twins")
     return true;  // "for meditation"
-  if (chunk.kind != ChunkKind::kNoun) return false;
+  if (chunk.kind != ChunkKind::kNoun) return chunk.last == chunk.first + 1 && document.tokens[chunk.first].text.ends_with("ing");
   const NounPhrase& noun = chunk.noun;
   if (noun.count > 0) return false;
   if (noun.kind == NounKind::kAbstract) return true;

@@ -293,10 +293,11 @@ class SizeReader {
     return false;
   }
 
-  // "the ceiling is 2.5": metres, as nobody says the unit.
+  // "the ceiling is only 2.5 so …": metres, as nobody says the unit.
   bool says_height_alone(std::size_t at) const {
     constexpr double kLowest = 2, kHighest = 6;
-    const bool ends = at + 1 >= tokens_.size() || tokens_[at].ends_sentence || tokens_[at + 1].kind == Token::Kind::kPunctuation;
+    const bool ends = at + 1 >= tokens_.size() || tokens_[at].ends_sentence || tokens_[at + 1].kind == Token::Kind::kPunctuation ||
+                      has_class(lexicon_.find(tokens_, at + 1), Class::kClause) || has_class(lexicon_.find(tokens_, at + 1), Class::kAnd);
     return ends && tokens_[at].kind == Token::Kind::kNumber && tokens_[at].number >= kLowest && tokens_[at].number <= kHighest;
   }
 

@@ -179,6 +179,13 @@ bool UnitReader::is_let_in(const NounPhrase& object) const {
   return std::ranges::any_of(form->stands_on, [&](const std::string& id) { return catalog.is_a(chunk(host).noun.entry->id, id); });
 }
 
+// "a table with four seats": they are no part of it.
+bool UnitReader::is_at_table(const NounPhrase& object) const {
+  const std::size_t host = last_noun();
+  return object.count > 1 && is_seat(lexicon_.catalog(), object) && host < document_.chunks.size() &&
+         is_table(lexicon_.catalog(), chunk(host).noun);
+}
+
 // "five tables, four stools to a table": to every one of those.
 void UnitReader::shares_out(std::size_t k) {
   NounPhrase& noun = document_.chunks[k].noun;
@@ -204,7 +211,7 @@ void UnitReader::settle_noun(std::size_t k) {
   // A part that has a thing's name is one where no host is there: "two sinks".
   if (const auto object = noun.as_object;
       object != nullptr &&
-      (content ? is_placed_itself(k) || is_let_in(*object) ||
+      (content ? is_placed_itself(k) || is_let_in(*object) || is_at_table(*object) ||
                      (object->entry == nullptr && object->name.find(' ') != std::string::npos && stands_among_things(k))
                : !after_place() || noun.determiner == Determiner::kIndefinite || is_named_before(k, object->head)))
     noun = NounPhrase(*object);

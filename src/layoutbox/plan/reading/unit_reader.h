@@ -115,6 +115,7 @@ class UnitReader {
   void read_noun(std::size_t k);
   bool is_placed_itself(std::size_t k) const;
   bool is_let_in(const NounPhrase& object) const;
+  bool is_at_table(const NounPhrase& object) const;
   bool says_where_room_is(std::size_t k);
   bool is_past(const NounPhrase& noun) const;
   void shares_out(std::size_t k);

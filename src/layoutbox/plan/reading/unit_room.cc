@@ -165,6 +165,9 @@ std::string UnitReader::run_side_of_room(std::size_t k) const {
     const std::string other = side_at(chunk(c).last);
     if (!other.empty() && other != side && (unit || is_large_by_itself(previous(c)) || at_wall)) return side;
   }
+  // "a workbench at the back wall, shelving on the left side": where such lists go along the walls
+  const bool listed = is(previous(thing), ChunkKind::kComma) || is(previous(thing), ChunkKind::kAnd);
+  if (large && listed && at_wall && !is(next(k), ChunkKind::kRelation)) return side;
   return {};
 }
 
