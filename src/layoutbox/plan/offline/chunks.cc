@@ -277,6 +277,14 @@ std::size_t Chunker::set_after_noun() const {
   return placed ? length : 0;
 }
 
+// "a rug round pink in the center": how it looks, not what it goes round.
+bool Chunker::is_shape_said_after() const {
+  if (tokens_[i_].text != "round" || previous() != ChunkKind::kNoun || i_ + 1 >= tokens_.size()) return false;
+  const Token& next = tokens_[i_ + 1];
+  return next.kind == Token::Kind::kPunctuation || lexicon_.is(next, Class::kColor) || lexicon_.is(next, Class::kMaterial) ||
+         lexicon_.find_phrase(tokens_, i_ + 1).length > 0;
+}
+
 // The longest of the words that may begin here; of equals the first.
 Chunker::Choice Chunker::longest(const PhraseMatch& phrase, std::size_t without) const {
   const ChunkKind before = previous();
@@ -288,7 +296,7 @@ Chunker::Choice Chunker::longest(const PhraseMatch& phrase, std::size_t without)
       {ChunkKind::kWithout, without},
       {ChunkKind::kSoft, length_of(Class::kSoft)},
       {ChunkKind::kHave, std::max(length_of(Class::kHave), bears_thing())},
-      {ChunkKind::kRelation, phrase.length},
+      {ChunkKind::kRelation, is_shape_said_after() ? 0 : phrase.length},
       {ChunkKind::kVerb, be_length()},
       {ChunkKind::kParticiple, std::max({length_of(Class::kParticiple), length_of(Class::kHang), set_after_noun()})},
       {ChunkKind::kVerb, length_of(Class::kPlaceVerb)},

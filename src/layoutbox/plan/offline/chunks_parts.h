@@ -113,6 +113,7 @@ class Chunker {
   };
   bool is_picture() const;
   std::size_t set_after_noun() const;
+  bool is_shape_said_after() const;
   std::size_t bears_thing() const;
   Choice longest(const PhraseMatch& phrase, std::size_t without) const;
   bool is_longer_noun(const Choice& best) const;

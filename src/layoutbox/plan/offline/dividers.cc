@@ -121,10 +121,11 @@ void RelationBuilder::divide_groups() {
     const bool as = says_one_of(document_, i, {"divider", "partition", "separator"}) &&
                     (says_one_of(document_, i - std::min<std::size_t>(i, 1), {"as", "a", "room", "the"}));
     const bool verb = says_one_of(document_, i, {"separated", "divided", "partitioned", "separating", "separates", "dividing", "divides"});
-    if ((!as && !verb) || i < 2) continue;
+    const bool screened = says_one_of(document_, i, {"screened", "screening"}) && says_one_of(document_, i + 1, {"off", "from"});
+    if ((!as && !verb && !screened) || i < 2) continue;
     const bool led = as && (says_one_of(document_, i - 1, {"as"}) || says_one_of(document_, i - 2, {"as"}) ||
                             (i > 2 && says_one_of(document_, i - 3, {"as"})));
-    if ((!led && !verb) || sentence == i) continue;
+    if ((!led && !verb && !screened) || sentence == i) continue;
     sentence = i;
     divide(i);
   }

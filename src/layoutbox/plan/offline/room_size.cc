@@ -78,17 +78,22 @@ class SizeReader {
       if (has_class(match, Class::kRoom) || has_class(match, Class::kRoomNoun)) return true;
       if (has_class(match, Class::kObject)) return false;
     }
+    // "…, hamper, ironing board, 6 feet by 5 feet": what the text closes with
+    const bool closes = first > 0 && tokens_[first - 1].text == "," && std::ranges::all_of(tokens_ | std::views::drop(last), [](const Token& t) {
+                          return t.kind == Token::Kind::kPunctuation;
+                        });
+    const double smallest = closes && size_.width == 0 ? kSmallestAfterRoom : kSmallestRoom;
     std::size_t begin = first;
     while (begin > 0 && first - begin < kLookBack && !tokens_[begin - 1].ends_sentence) --begin;
     const std::vector<Named> named = named_in(begin, first);
     for (const Named& name : std::views::reverse(named)) {
       if (has_class(name.match, Class::kRoom) || has_class(name.match, Class::kRoomNoun)) return !fits_thing_before(name.at, sides);
-      const bool for_thing = sides.size() >= 2 && sides[0] * sides[1] < kSmallestRoom;  // "a mat of 2 x 1.5 m"
+      const bool for_thing = sides.size() >= 2 && sides[0] * sides[1] < smallest;  // "a mat of 2 x 1.5 m"
       if (has_class(name.match, Class::kObject) && (for_thing || !beyond(name.match, sides))) return false;
       if (has_class(name.match, Class::kWindow) || has_class(name.match, Class::kDoor))
         return false;  // "a wall's windows, each 1.5 m wide"
     }
-    return size_.width == 0 && (first < kEarly || too_large_for_last_thing(begin, sides));
+    return size_.width == 0 && (first < kEarly || too_large_for_last_thing(begin, sides, smallest));
   }
 
   // "Leave an open space of 6 by 8 for stretching": a part of the floor.
@@ -134,8 +139,8 @@ class SizeReader {
   }
 
   // "A bed and a wardrobe. Size 4 x 3.5 m.": the floor of a room, and far more than the thing named last before that sentence can take.
-  bool too_large_for_last_thing(std::size_t begin, const std::vector<double>& sides) const {
-    if (sides.size() < 2 || sides[0] * sides[1] < kSmallestRoom) return false;
+  bool too_large_for_last_thing(std::size_t begin, const std::vector<double>& sides, double smallest) const {
+    if (sides.size() < 2 || sides[0] * sides[1] < smallest) return false;
     for (const Named& name : std::views::reverse(named_in(begin > kLookBack ? begin - kLookBack : 0, begin))) {
       if (has_class(name.match, Class::kObject)) return beyond(name.match, sides);
     }

@@ -17,6 +17,7 @@ class RunReader {
   // The tokens before which a comma is to stand.
   std::vector<std::size_t> run() const {
     std::vector<std::size_t> commas;
+    if (const std::size_t room = end_of_room(); room > 0) commas.push_back(room);
     for (std::size_t i = 0; i < tokens_.size();) {
       const std::vector<std::size_t> begins = things_from(i);
       const std::size_t end = begins.empty() ? i + 1 : begins.back();
@@ -40,6 +41,15 @@ class RunReader {
         return match.length;
     }
     return 0;
+  }
+
+  // "tiny laundry room washer, dryer, …": where the room that a text without an article begins with ends; 0: it begins with none such.
+  std::size_t end_of_room() const {
+    std::size_t at = 0;
+    while (at < tokens_.size() && lexicon_.is(tokens_[at], WordClass::kSizeWord)) ++at;
+    const Match match = at < tokens_.size() ? lexicon_.find(tokens_, at) : Match{};
+    const bool room = std::ranges::any_of(match.meanings, [](const Meaning& m) { return m.word_class == WordClass::kRoom; });
+    return room && match.length > 1 && thing_at(at + match.length) > 0 ? at + match.length : 0;
   }
 
   // Where each of the things in a row from `at` begins, and where the last one ends; empty where none is.

@@ -261,6 +261,10 @@ void Decoder::alone_of_room(std::size_t s, int u, std::size_t level, double gain
   if (comes_with(state, member) && unit(u).joiner == Joiner::kNone &&
       (many ? several(state, host) : says(senses, RelationType::kCenterOfRoom)))
     gain += weight::kSmallByPlace;
+  // "a counter with an espresso machine and a pastry display at the back": the counter
+  if (says(senses, RelationType::kInRegion) && unit(u).joiner == Joiner::kNone && is_thing(state, host) &&
+      mount_of(noun_of(state, host)) == Mount::kFloor && read_as(state, member).former >= 0)
+    gain += weight::kSmallByPlace;
   const bool several_here = several(state, member);
   alone_of_list(s, u, level, {kNobody, gain + fits + (!many ? 0 : several_here ? 1.0 : -1.0), false});
 }
