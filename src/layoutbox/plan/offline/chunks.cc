@@ -146,6 +146,7 @@ bool Chunker::says_enough() const {
 
 // The relation phrase that begins here. "On the left" ends before "end", "wall" or "one": "on the left end of the counter".
 PhraseMatch Chunker::phrase_here() const {
+  if (is_shape_said_after()) return {};
   const PhraseMatch phrase = lexicon_.find_phrase(tokens_, i_);
   const std::size_t after = i_ + phrase.length;
   if (phrase.length < 2 || after >= tokens_.size()) return phrase;
@@ -281,7 +282,7 @@ std::size_t Chunker::set_after_noun() const {
 bool Chunker::is_shape_said_after() const {
   if (tokens_[i_].text != "round" || previous() != ChunkKind::kNoun || i_ + 1 >= tokens_.size()) return false;
   const Token& next = tokens_[i_ + 1];
-  return next.kind == Token::Kind::kPunctuation || lexicon_.is(next, Class::kColor) || lexicon_.is(next, Class::kMaterial) ||
+  return next.kind == Token::Kind::kPunctuation || lexicon_.find(tokens_, i_ + 1, Class::kColor).length > 0 ||
          lexicon_.find_phrase(tokens_, i_ + 1).length > 0;
 }
 
@@ -296,7 +297,7 @@ Chunker::Choice Chunker::longest(const PhraseMatch& phrase, std::size_t without)
       {ChunkKind::kWithout, without},
       {ChunkKind::kSoft, length_of(Class::kSoft)},
       {ChunkKind::kHave, std::max(length_of(Class::kHave), bears_thing())},
-      {ChunkKind::kRelation, is_shape_said_after() ? 0 : phrase.length},
+      {ChunkKind::kRelation, phrase.length},
       {ChunkKind::kVerb, be_length()},
       {ChunkKind::kParticiple, std::max({length_of(Class::kParticiple), length_of(Class::kHang), set_after_noun()})},
       {ChunkKind::kVerb, length_of(Class::kPlaceVerb)},

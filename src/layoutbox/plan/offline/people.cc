@@ -211,8 +211,9 @@ class PeopleReader {
       const CatalogEntry* seat = lexicon_.seat_at(*host.entry);
       if (at_table(m, table)) {
         const bool one_each = host.entry->is(Trait::kDeskLike) || host.entry->is(Trait::kDesk) || host.entry->is(Trait::kCounter);
-        const bool flanks = catalog_.is_a(noun.entry->id, "chair") || noun.head == "bench" ||  // "long tables with benches"
-                            (one_of(noun.head, {"stool", "barstool"}) && one_of(host.entry->id, {"table", "dining_table", "bistro_table", "bar_table"}));
+        const bool flanks =
+            catalog_.is_a(noun.entry->id, "chair") || noun.head == "bench" ||  // "long tables with benches"
+            (one_of(noun.head, {"stool", "barstool"}) && one_of(host.entry->id, {"table", "dining_table", "bistro_table", "bar_table"}));
         const bool at_sides = host.entry->is(Trait::kTable) && host.entry->used_sides.size() > 1 && flanks;
         tables = static_cast<int>(table.items.size()), places = one_each || !at_sides ? 1 : 2;
         break;

@@ -79,9 +79,9 @@ class SizeReader {
       if (has_class(match, Class::kObject)) return false;
     }
     // "…, hamper, ironing board, 6 feet by 5 feet": what the text closes with
-    const bool closes = first > 0 && tokens_[first - 1].text == "," && std::ranges::all_of(tokens_ | std::views::drop(last), [](const Token& t) {
-                          return t.kind == Token::Kind::kPunctuation;
-                        });
+    const bool closes =
+        first > 0 && tokens_[first - 1].text == "," &&
+        std::ranges::all_of(tokens_ | std::views::drop(last), [](const Token& t) { return t.kind == Token::Kind::kPunctuation; });
     const double smallest = closes && size_.width == 0 ? kSmallestAfterRoom : kSmallestRoom;
     std::size_t begin = first;
     while (begin > 0 && first - begin < kLookBack && !tokens_[begin - 1].ends_sentence) --begin;

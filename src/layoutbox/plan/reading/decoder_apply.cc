@@ -42,8 +42,9 @@ void Decoder::apply(State& state, const Action& action, int u) const {
     own.first_subject = state.first_subject;
   } else if (kind == UnitKind::kAttribute && unit(u).joiner == Joiner::kComma && !follows(u, UnitKind::kNoun) && !state.roots.empty()) {
     own.subject = state.roots.back();  // "L-shaped sofa in the corner, gray"
-  } else if (kind == UnitKind::kAttribute && unit(u).joiner == Joiner::kNone && (is(u - 1, UnitKind::kNoun) || is(u - 1, UnitKind::kAttribute)) &&
-             !state.frontier.empty() && is_thing(state, state.frontier.back())) {
+  } else if (kind == UnitKind::kAttribute && unit(u).joiner == Joiner::kNone &&
+             (is(u - 1, UnitKind::kNoun) || is(u - 1, UnitKind::kAttribute)) && !state.frontier.empty() &&
+             is_thing(state, state.frontier.back())) {
     own.subject = state.frontier.back();  // "a rug round pink in the center"
   }
 }
