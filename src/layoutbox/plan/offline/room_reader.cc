@@ -300,6 +300,22 @@ void add_needed_openings(const Document& document, SceneGraph& scene) {
   }
 }
 
+// A garage has a garage door, besides the one into the house where that is named.
+void add_door_of_kind(const Catalog& catalog, SceneGraph& scene) {
+  Room& room = scene.room;
+  const RoomKind* kind = catalog.find_room(room.type);
+  if (kind == nullptr || kind->door.empty()) return;
+  const bool told = std::ranges::any_of(room.openings, [&](const Opening& o) {
+    return o.type == OpeningType::kDoor && std::ranges::find(o.attributes, kind->door) != o.attributes.end();
+  });
+  if (told) return;
+  NounPhrase door;
+  door.attributes = {kind->door};
+  add_opening(scene, OpeningType::kDoor, door, {});
+  room.openings.back().origin = Origin::kAssumed;
+  scene.notes.push_back({"filled", "a " + kind->door + " door is assumed", "/room/openings"});
+}
+
 // The wall that a thing is said to be at; empty: none.
 std::string wall_of_thing(const Document& document, int mention) {
   const Mention& thing = document.mentions[static_cast<std::size_t>(mention)];
@@ -413,6 +429,7 @@ void build_room(const Lexicon& lexicon, const Document& document, const RoomSize
   if (scene.room.shape.empty()) scene.room.shape = read_room_form(lexicon, document);
   set_size(document, size, scene);
   add_openings(document, scene);
+  add_door_of_kind(lexicon.catalog(), scene);
   add_needed_openings(document, scene);
   set_surfaces(lexicon, document, scene.room);
 }

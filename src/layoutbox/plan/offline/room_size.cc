@@ -82,6 +82,8 @@ class SizeReader {
     const bool closes =
         first > 0 && tokens_[first - 1].text == "," &&
         std::ranges::all_of(tokens_ | std::views::drop(last), [](const Token& t) { return t.kind == Token::Kind::kPunctuation; });
+    constexpr double kWidestDoor = 2;  // m, where it is as high
+    const bool no_opening = closes && sides.size() >= 2 && std::min(sides[0], sides[1]) > kWidestDoor;
     const double smallest = closes && size_.width == 0 ? kSmallestAfterRoom : kSmallestRoom;
     std::size_t begin = first;
     while (begin > 0 && first - begin < kLookBack && !tokens_[begin - 1].ends_sentence) --begin;
@@ -90,7 +92,7 @@ class SizeReader {
       if (has_class(name.match, Class::kRoom) || has_class(name.match, Class::kRoomNoun)) return !fits_thing_before(name.at, sides);
       const bool for_thing = sides.size() >= 2 && sides[0] * sides[1] < smallest;  // "a mat of 2 x 1.5 m"
       if (has_class(name.match, Class::kObject) && (for_thing || !beyond(name.match, sides))) return false;
-      if (has_class(name.match, Class::kWindow) || has_class(name.match, Class::kDoor))
+      if ((has_class(name.match, Class::kWindow) || has_class(name.match, Class::kDoor)) && !no_opening)
         return false;  // "a wall's windows, each 1.5 m wide"
     }
     return size_.width == 0 && (first < kEarly || too_large_for_last_thing(begin, sides, smallest));
