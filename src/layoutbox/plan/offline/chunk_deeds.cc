@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/chunks_parts.h"
 #include "layoutbox/plan/offline/english.h"
 
@@ -49,7 +50,7 @@ bool Chunker::owns_furniture(std::size_t verb) const {
   static constexpr std::array<std::string_view, 5> kOwning = {"own", "owns", "owned", "possesses", "possessed"};
   if (std::ranges::find(kOwning, tokens_[verb].text) == kOwning.end()) return false;
   const auto thing = read_noun_phrase(lexicon_, tokens_, verb + 1, false);
-  return thing && thing->kind == NounKind::kObject && thing->exact && !lexicon_.catalog().is_a(thing->entry->id, "pet");
+  return thing && thing->kind == NounKind::kObject && thing->exact && !thing->entry->is(Trait::kPet);
 }
 
 // "really", "probably", "rather": between what helps and the verb.

@@ -19,7 +19,7 @@ bool RelationBuilder::may_divide(int item) const {
   const Size& size = entry->size.usual;
   const bool flat = 3 * size.depth <= 2 * size.width && !entry->is(Trait::kSeat) && !entry->is(Trait::kTable) && !entry->is(Trait::kBed) &&
                     !entry->is(Trait::kCenterPiece);
-  return flat && (entry->mount == Mount::kFloor || catalog_.is_a(entry->id, "curtain") || catalog_.is_a(entry->id, "privacy_curtain"));
+  return flat && (entry->mount == Mount::kFloor || entry->is(Trait::kCurtain));
 }
 
 // The great thing of the part of the room whose name stands at token i ("living area"), or that is named there; -1: none.

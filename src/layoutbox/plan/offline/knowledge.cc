@@ -154,7 +154,7 @@ bool may_carry(const Catalog& catalog, const NounPhrase& host, const NounPhrase&
   if (mount == Mount::kHung && lies) return true;
   // A hat or a bag on its stand.
   constexpr Mm kLight = 450;
-  if (host.entry != nullptr && catalog.is_a(host.entry->id, "coat_rack") && mount == Mount::kSurface && item.entry != nullptr)
+  if (host.entry != nullptr && host.entry->is(Trait::kCoatStand) && mount == Mount::kSurface && item.entry != nullptr)
     return item.entry->size.usual.width <= kLight;
   // What stands taller than the board or the hook stands by itself: a coat stand.
   constexpr Mm kTallest = 900;

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "layoutbox/base/words.h"
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
 
@@ -295,7 +296,7 @@ void NounPhraseReader::read_parts() {
       if (!noun) break;
       // "teenager's bedroom", "child's desk", "the cat's bed": a person or an animal owns it; "the bed's foot": a thing does.
       const CatalogEntry* entry = parts_.back().meaning.entry;
-      const bool animal = entry != nullptr && lexicon_.catalog().is_a(entry->id, "pet");
+      const bool animal = entry != nullptr && entry->is(Trait::kPet);
       if (animal) {
         parts_.clear();
         ++i_;

@@ -212,7 +212,7 @@ class PeopleReader {
       if (at_table(m, table)) {
         const bool one_each = host.entry->is(Trait::kDeskLike) || host.entry->is(Trait::kDesk) || host.entry->is(Trait::kCounter);
         const bool flanks =
-            catalog_.is_a(noun.entry->id, "chair") || noun.head == "bench" ||  // "long tables with benches"
+            noun.entry->is(Trait::kChair) || noun.head == "bench" ||  // "long tables with benches"
             (one_of(noun.head, {"stool", "barstool"}) && one_of(host.entry->id, {"table", "dining_table", "bistro_table", "bar_table"}));
         const bool at_sides = host.entry->is(Trait::kTable) && host.entry->used_sides.size() > 1 && flanks;
         tables = static_cast<int>(table.items.size()), places = one_each || !at_sides ? 1 : 2;
@@ -262,7 +262,7 @@ class PeopleReader {
       // A teacher's desk and a reception desk are none of those that everybody has.
       if (entry != nullptr && entry->is(Trait::kOpenToRoom) && !kind.is(Trait::kOpenToRoom)) continue;
       const bool rows = one.noun.rows > 0 && is_seat(catalog_, one.noun);  // "two rows of recliners" for whom a cinema is
-      const bool seats = rows || (catalog_.is_a(kind.id, "chair") && one_of(one.noun.head, {"chair", "stool", "bench", "seat"}));
+      const bool seats = rows || (kind.is(Trait::kChair) && one_of(one.noun.head, {"chair", "stool", "bench", "seat"}));
       if (both(Trait::kBed) || tables || seats || (entry != nullptr && catalog_.is_a(entry->id, kind.id))) return static_cast<int>(m);
     }
     return -1;

@@ -172,10 +172,13 @@ void RelationBuilder::share_nightstand() {
   for (const SceneObject& object : scene_.objects) {
     const CatalogEntry* entry = catalog_.find(object.category);
     if (entry == nullptr) continue;
-    if (entry->is(Trait::kBed)) beds.push_back(object.id), kind = kind.empty() ? object.category : kind == object.category ? kind : "-";
-    if (catalog_.is_a(object.category, "nightstand")) stands.push_back(object.id);
+    if (entry->is(Trait::kBed)) {
+      beds.push_back(object.id);
+      kind = entry->is(Trait::kClimbedInto) ? "-" : kind.empty() ? object.category : kind == object.category ? kind : "-";
+    }
+    if (entry->is(Trait::kBedside)) stands.push_back(object.id);
   }
-  if (beds.size() != 2 || stands.size() != 1 || kind == "-" || kind == "bunk_bed") return;
+  if (beds.size() != 2 || stands.size() != 1 || kind == "-") return;
   const std::vector<std::size_t> own = relations_of(stands.front());
   const auto by_bed = [&](std::size_t r) {
     const Relation& relation = scene_.relations[r];

@@ -42,9 +42,7 @@ bool allowed(const PhraseSense& sense, const NounPhrase& reference) {
 }
 
 // A table with a head and a foot.
-bool one_lies_on(const NounPhrase& noun) {
-  return noun.entry != nullptr && one_of(noun.entry->id, {"exam_table", "massage_table", "operating_table"});
-}
+bool one_lies_on(const NounPhrase& noun) { return noun.entry != nullptr && noun.entry->is(Trait::kLieOn); }
 
 // The sense that a phrase has between these two.
 class SenseChooser {

@@ -15,7 +15,7 @@ double SenseScore::of_place(const PhraseSenses& senses, const NounPhrase& target
   if (!may_refer(catalog_, senses, target, reference))
     score += stands_beside(sense->type) && mount_of(reference) != Mount::kCeiling ? weight::kNotBeside : weight::kNoReference;
   if (sense->type == RelationType::kOn) score += on_top(target, reference);
-  if (reference.entry != nullptr && catalog_.is_a(reference.entry->id, "pet")) score += weight::kByAnimal;
+  if (reference.entry != nullptr && reference.entry->is(Trait::kPet)) score += weight::kByAnimal;
   if (stands_beside(sense->type) && is_seat(catalog_, target) && is_table(catalog_, reference)) score += weight::kSeatByTable;
   if (sense->type == RelationType::kOpposite && reference.entry != nullptr && reference.entry->is(Trait::kStandsBefore) &&
       !is_seat(catalog_, target))

@@ -3,6 +3,7 @@
 #include <string_view>
 #include <utility>
 
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
@@ -42,7 +43,7 @@ bool UnitReader::says_what_is_there(std::size_t first, std::size_t last) const {
     // "so a table for eight": whom it is for comes after the thing.
     told = told || is_person(c) || (is(c, ChunkKind::kPurpose) && !thing) || is(c, ChunkKind::kUnknown);
     const bool known = is(c, ChunkKind::kNoun) && chunk(c).noun.kind == NounKind::kObject && chunk(c).noun.entry != nullptr &&
-                       !lexicon_.catalog().is_a(chunk(c).noun.entry->id, "pet");
+                       !chunk(c).noun.entry->is(Trait::kPet);
     if (!known || (!chunk(c).noun.exact && c != first)) continue;
     const std::size_t n = next(c);
     const bool placed = n < last && (is(n, ChunkKind::kRelation) || is(n, ChunkKind::kParticiple) || is(n, ChunkKind::kVerb));
@@ -98,8 +99,7 @@ bool UnitReader::does_it_there(std::size_t k) const {
   if (!doing_ || !is(n, ChunkKind::kNoun) || chunk(k).phrase.length > 2) return false;
   const NounPhrase& noun = chunk(n).noun;
   if (noun.kind != NounKind::kObject || noun.entry == nullptr || (noun.determiner == Determiner::kNone && noun.count == 0)) return false;
-  return noun.entry->mount == Mount::kFloor && !lexicon_.catalog().is_a(noun.entry->id, "pet") &&
-         has_direction(*chunk(k).phrase.senses, Direction::kDirect);
+  return noun.entry->mount == Mount::kFloor && !noun.entry->is(Trait::kPet) && has_direction(*chunk(k).phrase.senses, Direction::kDirect);
 }
 
 // A known kind of thing, not what is done to it or with it.
@@ -233,7 +233,7 @@ bool UnitReader::is_used_in_place(std::size_t k) const {
   const NounPhrase& noun = chunk(k).noun;
   const std::size_t by = next(next(k));
   return noun.kind == NounKind::kObject && noun.exact && noun.determiner == Determiner::kDefinite && !lexicon_.is_person(noun.head) &&
-         !lexicon_.catalog().is_a(noun.entry->id, "pet") && is(next(k), ChunkKind::kRelation) && is(by, ChunkKind::kNoun) &&
+         !noun.entry->is(Trait::kPet) && is(next(k), ChunkKind::kRelation) && is(by, ChunkKind::kNoun) &&
          (chunk(by).noun.determiner == Determiner::kDefinite || chunk(by).noun.kind == NounKind::kPronoun);
 }
 
@@ -314,7 +314,7 @@ bool UnitReader::is_figure(std::size_t k) const {
     const PhraseSenses& senses = *chunk(place).phrase.senses;
     const NounPhrase& by = chunk(host).noun;
     return (says(senses, RelationType::kOn) || says(senses, RelationType::kIn)) && by.kind == NounKind::kObject && !by.entry->thin &&
-           !is_seat(lexicon_.catalog(), by) && !lexicon_.catalog().is_a(by.entry->id, "bed");
+           !is_seat(lexicon_.catalog(), by) && !by.entry->is(Trait::kBed);
   };
   const std::size_t n = next(k);
   if (holds(is(n, ChunkKind::kVerb) ? next(n) : n, next(is(n, ChunkKind::kVerb) ? next(n) : n))) return true;

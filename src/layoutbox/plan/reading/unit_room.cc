@@ -281,9 +281,7 @@ void UnitReader::mean_fire(std::size_t k) {
     return;
   const NounPhrase said = noun;
   const auto burns = [&](const NounPhrase& named) {
-    if (named.kind != NounKind::kObject || named.entry == nullptr) return false;
-    const auto is_a = [&](std::string_view id) { return lexicon_.catalog().is_a(named.entry->id, id); };
-    return is_a("fireplace") || is_a("stove") || is_a("fire_pit");
+    return named.kind == NounKind::kObject && named.entry != nullptr && named.entry->is(Trait::kFire);
   };
   for (std::size_t c = k; c-- > 0;) {
     if (!is(c, ChunkKind::kNoun) || !burns(chunk(c).noun)) continue;

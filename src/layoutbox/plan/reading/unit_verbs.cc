@@ -1,6 +1,7 @@
 // What a verb that no list has says of two things: "a vase enlivens the sideboard", "a screen shields the bath".
 #include <algorithm>
 
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
@@ -36,7 +37,7 @@ const NounPhrase* UnitReader::subject_of_verb(std::size_t verb) const {
   }
   if (units_[u].kind != UnitKind::kNoun) return nullptr;
   const NounPhrase& subject = chunk(units_[u].chunk).noun;
-  const bool thing = subject.kind == NounKind::kObject && subject.entry != nullptr && !lexicon_.catalog().is_a(subject.entry->id, "pet");
+  const bool thing = subject.kind == NounKind::kObject && subject.entry != nullptr && !subject.entry->is(Trait::kPet);
   return thing && word_form(subject.head) != WordForm::kPerson ? &subject : nullptr;
 }
 
