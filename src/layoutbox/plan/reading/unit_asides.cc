@@ -7,6 +7,7 @@
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/offline/word_sets.h"
 #include "layoutbox/plan/reading/unit_reader.h"
 
 namespace layoutbox::offline {
@@ -161,7 +162,7 @@ bool UnitReader::is_said_of_subject(std::size_t k) {
     return !(noun.exact && (noun.count > 1 || (listed && document_.rooms.empty())));  // "it's eight washers down one wall"
   // "the centerpiece is a piano" names the piano, and so does "the furniture is a piano".
   if (what.kind != NounKind::kObject || !what.exact || (noun.count > 1 && !what.plural)) return false;
-  const bool generic = one_of(what.head, {"furniture", "object", "item", "piece", "seating", "storage", "decoration"});
+  const bool generic = one_of(what.head, WordSet::kAnyFurniture);
   const bool of_kind = noun.exact && noun.entry != what.entry && lexicon_.catalog().is_a(noun.entry->id, what.entry->id);
   if ((generic || of_kind) && noun.exact && !is_named_before(subject.chunk, what.head)) {
     const NounPhrase said = what;
@@ -281,7 +282,7 @@ bool UnitReader::announces_things(std::size_t k) const {
       is(named, ChunkKind::kNoun) && is_new_here(chunk(named).noun))
     return true;
   if (noun.count > 0 || noun.determiner != Determiner::kNone || !units_.empty() || noun.name != noun.head) return false;
-  const bool alone = one_of(noun.head, {"decor", "decoration", "furniture", "furnishing", "storage", "seating", "lighting"});
+  const bool alone = one_of(noun.head, WordSet::kHeadings);
   const bool ends = is(n, ChunkKind::kStop) || (is(n, ChunkKind::kComma) && document_.tokens[chunk(n).first].text == ":");
   if (object && alone && ends) return true;
   const bool things = object && noun.plural && (is_collective(noun.head) || noun.head == "thing");
@@ -329,7 +330,7 @@ bool UnitReader::is_addressed(std::size_t k) const {
   const bool ends = is(next(k), ChunkKind::kComma) || is(next(k), ChunkKind::kStop);
   if (!ends || !units_.empty() || noun.count > 0) return false;
   const std::size_t first = chunk(k).first;
-  const auto greets = [&](std::size_t i) { return one_of(document_.tokens[i].text, {"dear", "hello", "hi", "hey", "greetings"}); };
+  const auto greets = [&](std::size_t i) { return one_of(document_.tokens[i].text, WordSet::kGreetings); };
   return (greets(first) && noun.last > first + 1) || (first > 0 && greets(first - 1));
 }
 
