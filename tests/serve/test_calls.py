@@ -129,8 +129,9 @@ class Calls(ServiceCase):
         self.assertEqual(found[0]["id"], "nightstand")
         self.assertLessEqual(len(found), 3)
         self.assert_status(self.service.get("/api/catalog?limit=x"), 400)
-        names = {row["name"] for row in self.service.get("/api/relations").json()["relations"]}
-        self.assertIn("againstWall", names)
+        unnamed = {row["name"]: row["unnamed"] for row in self.service.get("/api/relations").json()["relations"]}
+        self.assertEqual(unnamed["againstWall"], "a wall")
+        self.assertEqual(unnamed["farFromWindow"], "the windows")
 
     def test_what_was_left_out_is_spoken_of_in_every_call(self):
         layout = json.loads(json.dumps(self.layout))

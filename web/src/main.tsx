@@ -25,5 +25,5 @@ render(<App />, document.body);
 void restore_session().finally(keep_session);
 void api.health().then(({planners}) => set({planners})).catch(() => undefined);
 void api.relations()
-  .then((rows) => set({sentences: new Map(rows.map((row) => [row.name, row.sentence]))}))
+  .then((rows) => set({sentences: new Map(rows.map((row) => [row.name, row]))}))
   .catch(() => undefined);

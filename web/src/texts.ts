@@ -157,10 +157,5 @@ export const texts = {
       ["stands", "stand"], ["is", "are"], ["hangs", "hang"], ["keeps", "keep"], ["touches", "touch"], ["faces", "face"], ["looks", "look"], ["has", "have"],
     ] as readonly (readonly string[])[],
     at_least: (length: string) => `at least ${length}`, at_most: (length: string) => `at most ${length}`,
-    unnamed: {
-      againstWall: "a wall", sideAgainstWall: "a wall", onWall: "a wall", centeredOnWall: "a wall", awayFromWall: "the walls", corner: "the room",
-      underWindow: "the window", nearWindow: "the window", nearDoor: "the door", farFromDoor: "the door", farFromWindow: "the window",
-      notBlocking: "doors and windows",
-    } as Record<string, string>,
   },
 } as const;

@@ -36,17 +36,22 @@ test("words are cut by bytes, neighbours of one meaning are one", () => {
   assert.equal(named_in_role("object desk_1", new Set(["desk_1"])), "desk_1");
 });
 
+const sentences = new Map([
+  ["againstWall", {sentence: "{targets} stands with its back against {references}", unnamed: "a wall"}],
+  ["nextTo", {sentence: "{targets} stands next to {references}", unnamed: "the room"}],
+]);
+
 test("relations become sentences", () => {
-  const sentences = new Map([["againstWall", "{targets} stands with its back against {references}"], ["nextTo", "{targets} stands next to {references}"]]);
   const layout = room();
   assert.equal(relation_text(layout.relations![0]!, layout, sentences, "m"), "The bed stands with its back against the back wall");
   assert.equal(relation_text(layout.relations![1]!, layout, sentences, "m"), "Nightstand 1 and 2 stand next to the bed");
+  const {relativeTo: _, ...anywhere} = layout.relations![0]!;
+  assert.equal(relation_text(anywhere, layout, sentences, "m"), "The bed stands with its back against a wall");
 });
 
 test("a changed scene is told by what is other than before", () => {
   const layout = room();
   const scene = scene_of(layout);
-  const sentences = new Map([["againstWall", "{targets} stands with its back against {references}"], ["nextTo", "{targets} stands next to {references}"]]);
   const told = (after: typeof scene) => remedy_text(scene, after, layout, sentences, "m");
   assert.equal(told(JSON.parse(JSON.stringify(scene))), "");
   assert.equal(told({...scene, furniture: scene.furniture.slice(1), constraints: scene.constraints!.slice(1)}), "Leave out the bed");
@@ -70,7 +75,7 @@ test("a way that only gives up what is in conflict is known as such", () => {
 
 test("a distance that is open at one end is said so", () => {
   const layout = room();
-  const sentences = new Map([["distance", "{targets} stands between {min} and {max} from {references}"]]);
+  const sentences = new Map([["distance", {sentence: "{targets} stands between {min} and {max} from {references}", unnamed: "the room"}]]);
   const relation = {type: "distance" as const, targets: ["bed_1"], relativeTo: "wall1", min: 1};
   assert.equal(relation_text(relation, layout, sentences, "m"), "The bed stands at least 1.00 m from the front wall");
 });

@@ -18,6 +18,10 @@ struct NormalizeOptions {
 // depth, in millimetres.
 std::vector<Point> room_outline(std::string_view shape, Mm width, Mm depth);
 
+// What is said of a thing that the catalogue does not have: like what kind it is sized and drawn, or, of what is like nothing, that it is
+// a plain box (a "warning").
+Note unknown_kind_note(const std::string& name, const CatalogEntry& kind, std::string pointer);
+
 // Fills the room (polygon, walls, height, openings), every object's category, size range, mount and used sides, and the support of
 // objects that stand on something which no relation names. Turns walls so that they run counter-clockwise along the polygon (and their
 // openings with them). Every value that was filled is listed in the notes. The result is what solve() REQUIRES.

@@ -61,8 +61,10 @@ class ObjectNormalizer {
       return;
     }
     const CatalogEntry& nearest = context_.catalog.entry_or_nearest(object_.category);
-    context_.note("guessed", fmt::format("\"{}\" is not in the catalogue: sized and drawn like \"{}\"", object_.name, nearest.name),
-                  pointer_ + "/category");
+    Note note = unknown_kind_note(object_.name, nearest, pointer_ + "/category");
+    // Of a scene from a text the planner has said it already, with the place in the text.
+    if (std::ranges::find(context_.scene.notes, note.message, &Note::message) == context_.scene.notes.end())
+      context_.scene.notes.push_back(std::move(note));
   }
 
   // The words mean this entry, with nothing before them but what the entry or the object knows as an attribute.
@@ -259,6 +261,11 @@ void fit_rows_above(NormalizeContext& context) {
 }
 
 }  // namespace
+
+Note unknown_kind_note(const std::string& name, const CatalogEntry& kind, std::string pointer) {
+  if (kind.id == "object") return {"warning", fmt::format("\"{}\" is not known: it is a plain box", name), std::move(pointer)};
+  return {"guessed", fmt::format("\"{}\" is not in the catalogue: sized and drawn like \"{}\"", name, kind.name), std::move(pointer)};
+}
 
 void normalize_objects(NormalizeContext& context) {
   settle_ids(context);

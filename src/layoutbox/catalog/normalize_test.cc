@@ -162,7 +162,20 @@ TEST(NormalizeObjects, CategoriesBecomeEntriesOrStayTheirOwn) {
   EXPECT_EQ(scene.objects[2].category, "picnic_desk") << "a kind of its own stays that kind";
   EXPECT_EQ(scene.objects[2].size->usual.width, 1200);
   EXPECT_EQ(scene.objects[3].category, "spaceship");
-  EXPECT_THAT(scene.notes, Contains(AllOf(Field(&Note::code, "guessed"), Field(&Note::message, HasSubstr("spaceship")))));
+  EXPECT_THAT(scene.notes,
+              Contains(AllOf(Field(&Note::code, "warning"), Field(&Note::message, "\"spaceship\" is not known: it is a plain box"))));
+}
+
+TEST(NormalizeObjects, AnUnknownThingIsSpokenOfOnce) {
+  SceneGraph scene = scene_of({object("a", "spaceship"), object("b", "spaceship"), object("c", "wok")});
+  scene.notes.push_back(unknown_kind_note("spaceship", catalog().entry_or_nearest("spaceship"), "prompt:2-11"));
+  const SceneGraph filled = normalized(std::move(scene));
+  const auto speaks_of = [&](std::string_view name) {
+    return std::ranges::count_if(filled.notes,
+                                 [&](const Note& note) { return note.message.starts_with("\"" + std::string(name) + "\" is not"); });
+  };
+  EXPECT_EQ(speaks_of("spaceship"), 1);
+  EXPECT_EQ(speaks_of("wok"), 1);
 }
 
 TEST(NormalizeObjects, IdsBecomeUnique) {

@@ -26,7 +26,7 @@ class Visitors {
 
  private:
   const CatalogEntry& entry_of(const SceneObject& object) const { return context_.catalog.entry_or_nearest(object.category); }
-  bool is_a(const SceneObject& object, const std::string& kind) const { return context_.catalog.is_a(object.category, kind); }
+  bool is_visitors(const SceneObject& seat) const { return entry_of(seat).is(Trait::kVisitorSeat); }
 
   // Said to be there, and at most to look at something or to be at the desk: on one side of it.
   bool is_loose(const SceneObject& seat, const std::string& desk) const {
@@ -64,16 +64,16 @@ class Visitors {
     }
     const bool manned = !own.empty();
     // Of chairs that nobody placed the best to work on is the worker's.
-    const auto works = [&](const std::string& id) { return is_a(*scene_.find_object(id), "office_chair"); };
+    const auto works = [&](const std::string& id) { return entry_of(*scene_.find_object(id)).is(Trait::kWorkSeat); };
     for (const bool office : {true, false}) {
       for (const std::string& id : loose) {
         const SceneObject& seat = *scene_.find_object(id);
-        if (own.empty() && works(id) == office && !is_a(seat, kind_->id) && (office || visited || has_visitor(loose))) own = id;
+        if (own.empty() && works(id) == office && !is_visitors(seat) && (office || visited || has_visitor(loose))) own = id;
       }
     }
     for (const std::string& id : loose) {
       const SceneObject& seat = *scene_.find_object(id);
-      if (id != own && (is_a(seat, kind_->id) || (receives && !own.empty() && !works(id)))) visitors.push_back(id);
+      if (id != own && (is_visitors(seat) || (receives && !own.empty() && !works(id)))) visitors.push_back(id);
     }
     if (!visited && visitors.empty()) return;
     if (!own.empty() && !manned) relate(RelationType::kBehind, own, desk, "who works at a desk sits across from visitors");
@@ -84,7 +84,7 @@ class Visitors {
   }
 
   bool has_visitor(const std::vector<std::string>& loose) const {
-    return std::ranges::any_of(loose, [&](const std::string& id) { return is_a(*scene_.find_object(id), kind_->id); });
+    return std::ranges::any_of(loose, [&](const std::string& id) { return is_visitors(*scene_.find_object(id)); });
   }
 
   void relate(RelationType type, const std::string& seat, const std::string& desk, std::string why) {

@@ -67,7 +67,7 @@ void PlanFlags::add_companions_to(CLI::App& command) {
 }
 
 Status PlanFlags::apply(GenerateOptions& options) const {
-  options.companions = companions == "on" && !by_model();
+  options.companions = companions == "on";
   if (planner != "offline" && planner != "llm") {
     return layoutbox::fail(ErrorCode::kUsage, fmt::format("there is no planner '{}'", planner), "--planner", "use offline or llm");
   }

@@ -69,12 +69,12 @@ TEST(SolveFlagsApply, RepairNeedsAModel) {
   expect_usage(flags.apply(options, true), "--on-conflict", "'give-up'");
 }
 
-TEST(PlanFlagsApply, CompanionsComeWithTextThatNoModelReads) {
+TEST(PlanFlagsApply, CompanionsComeUnlessTheyAreOff) {
   GenerateOptions options;
   PlanFlags flags;
   ASSERT_TRUE(flags.apply(options));
   EXPECT_TRUE(options.companions);
-  flags.planner = "llm";
+  flags.companions = "off";
   ASSERT_TRUE(flags.apply(options));
   EXPECT_FALSE(options.companions);
   flags.planner = "crystal ball";

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/dress/kitchen.h"
 #include "layoutbox/dress/places.h"
 #include "layoutbox/scene/shell.h"
@@ -59,8 +60,8 @@ class KitchenRun {
     for (const DressedWall& wall : dresser_.room().walls()) {
       double sum = 0;
       for (const KitchenUnit& unit : units_at(dresser_, wall)) {
-        sum += unit.span.length() + (dresser_.catalog().is_a(unit.object->category, "kitchen_sink") ? kOfSink : 0);
-        const bool counter = dresser_.catalog().is_a(unit.object->category, "counter") && unit.object->spaces.empty();
+        sum += unit.span.length() + (dresser_.entry_of(*unit.object).is(Trait::kWashUp) ? kOfSink : 0);
+        const bool counter = dresser_.entry_of(*unit.object).is(Trait::kCounter) && unit.object->spaces.empty();
         if (counter) size_.depth = unit.object->size.depth, size_.height = unit.object->size.height;
       }
       if (sum > longest) longest = sum, main_ = &wall;

@@ -5,6 +5,7 @@
 
 #include "layoutbox/edit/changes.h"
 #include "layoutbox/edit/stepper.h"
+#include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox {
 
@@ -148,7 +149,7 @@ std::string EditStepper::before_support(const std::string& id) const {
 
 Status EditStepper::face(const EditStep& step) {
   for (const std::string& id : step.targets) {
-    soften_targets(id, [](R type) { return is_turn(type) || type == R::kAgainstWall || type == R::kCenteredOnWall || type == R::kCorner; });
+    soften_targets(id, [](R type) { return is_turn(type) || traits_of(type).back_to_wall; });
   }
   scene_.relations.insert(scene_.relations.end(), step.relations.begin(), step.relations.end());
   return {};
@@ -172,9 +173,7 @@ Status EditStepper::turn(const EditStep& step) {
     if (placed->mount == Mount::kWall) {
       return fail(ErrorCode::kGeometry, fmt::format("{} hangs on a wall and looks away from it", id), "text", "move it to another wall");
     }
-    soften_targets(id, [](R type) {
-      return is_turn(type) || type == R::kAgainstWall || type == R::kCenteredOnWall || type == R::kCorner || type == R::kSideAgainstWall;
-    });
+    soften_targets(id, [](R type) { return is_turn(type) || traits_of(type).back_to_wall || type == R::kSideAgainstWall; });
     pins_.push_back({id, placed->position, {0, 0, 0}, normalized_degrees(placed->rotation_deg + step.degrees), false});
     pins_.back().may_move = true;
   }

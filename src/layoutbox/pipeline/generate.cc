@@ -193,7 +193,7 @@ class Run {
 
   // The scene gets what the first layout gets; what dresses the others is in their layouts alone. All are written again.
   Status dress_layouts() {
-    if (!plan_ || !options_.companions) return {};
+    if (!plan_ || !comes_with_more(*plan_, options_)) return {};
     begin();
     const SceneGraph undressed = outcome_.scene;
     const std::size_t added = dress_room(*plan_, outcome_.scene, outcome_.layout, catalog_, options_);

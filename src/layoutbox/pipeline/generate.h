@@ -108,6 +108,9 @@ Result<GenerateOutcome> generate_from_layout(SceneGraph scene, Layout layout, co
 // The scene in the shell of `options`, with everything filled in: what solve() takes.
 Result<SceneGraph> prepare_scene(SceneGraph scene, const Catalog& catalog, const GenerateOptions& options);
 
+// Do things that nobody named come with that plan: where the options let them, and no model planned.
+bool comes_with_more(const Plan& plan, const GenerateOptions& options);
+
 // The same of a plan from text, with the companions of what it names.
 Result<SceneGraph> prepare_plan(const Plan& plan, const Catalog& catalog, const GenerateOptions& options);
 

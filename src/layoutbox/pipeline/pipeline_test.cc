@@ -14,6 +14,19 @@ namespace {
 
 using testing::HasSubstr;
 
+TEST(PreparePlan, NothingComesWithWhatAModelPlanned) {
+  const Catalog& catalog = Catalog::builtin();
+  auto plan = make_offline_planner(catalog)->plan("A bedroom with a bed and a desk.", {});
+  ASSERT_TRUE(plan);
+  const auto by_rules = prepare_plan(*plan, catalog, {});
+  ASSERT_TRUE(by_rules);
+  EXPECT_GT(by_rules->objects.size(), 2u);
+  plan->by_model = true;
+  const auto by_model = prepare_plan(*plan, catalog, {});
+  ASSERT_TRUE(by_model);
+  EXPECT_EQ(by_model->objects.size(), 2u);
+}
+
 TEST(Artefacts, EveryNameOfTheTableIsAnOutput) {
   for (const Artefact& one : artefacts()) {
     EXPECT_TRUE(is_output_name(one.file)) << one.file;

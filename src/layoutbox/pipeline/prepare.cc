@@ -15,9 +15,11 @@ Result<SceneGraph> prepare_scene(SceneGraph scene, const Catalog& catalog, const
   return normalize_scene(std::move(scene), catalog, options.normalize);
 }
 
+bool comes_with_more(const Plan& plan, const GenerateOptions& options) { return options.companions && !plan.by_model; }
+
 Result<SceneGraph> prepare_plan(const Plan& plan, const Catalog& catalog, const GenerateOptions& options) {
   LAYOUTBOX_ASSIGN(SceneGraph scene, prepare_scene(plan.scene, catalog, options));
-  if (!options.companions) return scene;
+  if (!comes_with_more(plan, options)) return scene;
   SceneGraph more = plan.scene;
   const std::size_t added = add_companions(more, scene, plan.unwanted, catalog);
   if (added == 0) return scene;
@@ -26,7 +28,7 @@ Result<SceneGraph> prepare_plan(const Plan& plan, const Catalog& catalog, const 
 }
 
 std::size_t dress_room(const Plan& plan, SceneGraph& scene, Layout& layout, const Catalog& catalog, const GenerateOptions& options) {
-  if (!options.companions) return 0;
+  if (!comes_with_more(plan, options)) return 0;
   const std::size_t added = dress(scene, layout, catalog, Spoken(scene, plan.unwanted, catalog));
   if (added > 0) scene.notes.push_back({"filled", counted(added, "thing") + " dress the finished room where it was free", "prompt"});
   return added;

@@ -74,8 +74,9 @@ class Companions {
       if (std::ranges::find(r.references, table) == r.references.end()) return false;
       return std::ranges::any_of(r.targets, [&](const std::string& id) {
         const SceneObject* object = scene_.find_object(id);
-        if (object == nullptr || catalog_.is_a(object->category, "visitor_chair")) return false;  // who works there sits behind
-        return catalog_.entry_or_nearest(object->category).is(Trait::kSeat);
+        if (object == nullptr) return false;
+        const CatalogEntry& kind = catalog_.entry_or_nearest(object->category);
+        return kind.is(Trait::kSeat) && !kind.is(Trait::kVisitorSeat);  // who works there sits behind
       });
     });
   }
@@ -88,8 +89,8 @@ class Companions {
         return std::ranges::find(r.targets, object.id) != r.targets.end() &&
                (!r.references.empty() || r.type == RelationType::kAgainstWall);
       };
-      if (catalog_.is_a(object.category, "visitor_chair")) return false;  // of those who come, not of who works there
-      return catalog_.entry_or_nearest(object.category).is(Trait::kTableSeat) && std::ranges::none_of(scene_.relations, says_where);
+      const CatalogEntry& kind = catalog_.entry_or_nearest(object.category);
+      return kind.is(Trait::kTableSeat) && !kind.is(Trait::kVisitorSeat) && std::ranges::none_of(scene_.relations, says_where);
     });
   }
 
@@ -209,8 +210,7 @@ class Companions {
 
   bool stands(const SceneObject& object) const {
     const CatalogEntry* entry = catalog_.find(object.category);
-    const bool walks = entry != nullptr && catalog_.is_a(entry->id, "pet");  // no cat is furniture
-    return entry != nullptr && object.mount.value_or(entry->mount) == Mount::kFloor && !entry->thin && !walks;
+    return entry != nullptr && object.mount.value_or(entry->mount) == Mount::kFloor && !entry->thin && !entry->is(Trait::kPet);
   }
 
   double covered(const SceneGraph& scene) const {

@@ -43,6 +43,7 @@ struct Plan {
   std::vector<WordReading> readings;  // every word of the prompt once, in order (offline planner)
   std::vector<CloseReading> close;    // (offline planner)
   std::vector<std::string> unwanted;  // kinds of which the text wants none ("no coffee table"), catalogue ids (offline planner)
+  bool by_model = false;              // a model names all that it wants: nothing comes with it
 };
 
 // What the room is, where it is given beside the text.

@@ -14,15 +14,16 @@ using R = RelationType;
 // others stays within their turned tops: those are right at odd angles.
 constexpr std::array kTraits = std::to_array<RelationTraits>({
     {.type = R::kOffset, .targets_turned = true, .references_turned = true},
-    {.type = R::kAlign, .targets_turned = true, .references_turned = true},
+    {.type = R::kAlign, .targets_turned = true, .references_turned = true, .unnamed = "one another"},
     {.type = R::kInside},
     {.type = R::kGroupAlign, .targets_turned = true, .references_turned = true, .of_group = true},
     {.type = R::kAgainstWall,
      .targets_turned = true,
+     .back_to_wall = true,
      .placing = Placing::kInRoom,
      .said_by = RelationSet(R::kCenteredOnWall, R::kSideAgainstWall, R::kCorner, R::kUnderWindow, R::kOnWall)},
     {.type = R::kSideAgainstWall, .targets_turned = true},
-    {.type = R::kCorner, .placing = Placing::kInRoom},
+    {.type = R::kCorner, .back_to_wall = true, .placing = Placing::kInRoom, .unnamed = "the room"},
     {.type = R::kCenterOfRoom,
      .targets_turned = true,
      .references_turned = true,
@@ -31,24 +32,38 @@ constexpr std::array kTraits = std::to_array<RelationTraits>({
      .said_by = RelationSet(R::kInside)},
     {.type = R::kCenteredOnWall,
      .targets_turned = true,
+     .back_to_wall = true,
      .placing = Placing::kInRoom,
      .weaker = RelationSet(R::kAgainstWall),
      .instead = R::kAgainstWall},
     {.type = R::kInRegion, .targets_turned = true, .references_turned = true},
     {.type = R::kOnWall, .targets_turned = true, .weaker = RelationSet(R::kAgainstWall)},
     {.type = R::kOnCeiling, .targets_turned = true, .references_turned = true},
-    {.type = R::kAwayFromWall, .targets_turned = true, .references_turned = true},
-    {.type = R::kUnderWindow},
-    {.type = R::kNearDoor, .targets_turned = true, .references_turned = true},
-    {.type = R::kNearWindow, .targets_turned = true, .references_turned = true},
-    {.type = R::kFarFromDoor, .targets_turned = true, .references_turned = true},
-    {.type = R::kFarFromWindow, .targets_turned = true, .references_turned = true},
-    {.type = R::kNotBlocking, .targets_turned = true},
-    {.type = R::kLeftOf, .targets_turned = true, .beside = true, .placing = Placing::kSide, .inverse = R::kRightOf, .instead = R::kRightOf},
-    {.type = R::kRightOf, .targets_turned = true, .beside = true, .placing = Placing::kSide, .inverse = R::kLeftOf, .instead = R::kLeftOf},
+    {.type = R::kAwayFromWall, .targets_turned = true, .references_turned = true, .unnamed = "the walls"},
+    {.type = R::kUnderWindow, .back_to_wall = true, .unnamed = "a window"},
+    {.type = R::kNearDoor, .targets_turned = true, .references_turned = true, .unnamed = "a door"},
+    {.type = R::kNearWindow, .targets_turned = true, .references_turned = true, .unnamed = "a window"},
+    {.type = R::kFarFromDoor, .targets_turned = true, .references_turned = true, .unnamed = "the doors"},
+    {.type = R::kFarFromWindow, .targets_turned = true, .references_turned = true, .unnamed = "the windows"},
+    {.type = R::kNotBlocking, .targets_turned = true, .unnamed = "the doors and windows"},
+    {.type = R::kLeftOf,
+     .targets_turned = true,
+     .beside = true,
+     .of_any_two = true,
+     .placing = Placing::kSide,
+     .inverse = R::kRightOf,
+     .instead = R::kRightOf},
+    {.type = R::kRightOf,
+     .targets_turned = true,
+     .beside = true,
+     .of_any_two = true,
+     .placing = Placing::kSide,
+     .inverse = R::kLeftOf,
+     .instead = R::kLeftOf},
     {.type = R::kInFrontOf,
      .targets_turned = true,
      .beside = true,
+     .of_any_two = true,
      .placing = Placing::kSide,
      .inverse = R::kBehind,
      .said_by = RelationSet(R::kAtFootOf, R::kTuckedUnder, R::kOpposite, R::kFacing),
@@ -56,6 +71,7 @@ constexpr std::array kTraits = std::to_array<RelationTraits>({
     {.type = R::kBehind,
      .targets_turned = true,
      .beside = true,
+     .of_any_two = true,
      .placing = Placing::kSide,
      .inverse = R::kInFrontOf,
      .instead = R::kInFrontOf},
@@ -64,7 +80,7 @@ constexpr std::array kTraits = std::to_array<RelationTraits>({
      .targets_turned = true,
      .references_turned = true,
      .beside = true,
-     .placing = Placing::kHeight,
+     .of_any_two = true,
      .said_by =
          RelationSet(R::kLeftOf, R::kRightOf, R::kTouching, R::kEachSideOf, R::kAlongSide, R::kAtHeadOf, R::kAtFootOf, R::kPairedWith),
      .instead = R::kNear},
@@ -73,7 +89,13 @@ constexpr std::array kTraits = std::to_array<RelationTraits>({
      .targets_turned = true,
      .references_turned = true,
      .said_by = RelationSet(R::kNextTo, R::kLeftOf, R::kRightOf, R::kInFrontOf, R::kAlongSide, R::kTouching, R::kEachSideOf)},
-    {.type = R::kFar, .symmetric = true, .targets_turned = true, .references_turned = true, .instead = R::kNear},
+    {.type = R::kFar,
+     .symmetric = true,
+     .targets_turned = true,
+     .references_turned = true,
+     .of_any_two = true,
+     .excludes = RelationSet(R::kNextTo, R::kNear),
+     .instead = R::kNear},
     {.type = R::kDistance, .symmetric = true, .targets_turned = true, .references_turned = true},
     {.type = R::kTouching, .symmetric = true, .weaker = RelationSet(R::kNextTo), .instead = R::kNextTo},
     {.type = R::kEdgeAlign, .targets_turned = true},
@@ -82,13 +104,17 @@ constexpr std::array kTraits = std::to_array<RelationTraits>({
      .references_turned = true,
      .turns = true,
      .said_by = RelationSet(R::kOpposite, R::kInFrontOf)},
-    {.type = R::kOpposite, .symmetric = true, .targets_turned = true, .said_by = RelationSet(R::kFacing)},
+    {.type = R::kOpposite,
+     .symmetric = true,
+     .targets_turned = true,
+     .excludes = RelationSet(R::kNextTo),
+     .said_by = RelationSet(R::kFacing)},
     {.type = R::kParallel, .symmetric = true, .targets_turned = true, .references_turned = true, .turns = true},
     {.type = R::kPerpendicular, .symmetric = true, .targets_turned = true, .references_turned = true, .turns = true},
     {.type = R::kSameOrientation, .symmetric = true, .targets_turned = true, .references_turned = true, .turns = true},
     {.type = R::kCenteredOn, .targets_turned = true},
     {.type = R::kAtFootOf, .targets_turned = true, .weaker = RelationSet(R::kInFrontOf, R::kNextTo), .instead = R::kNextTo},
-    {.type = R::kAtHeadOf, .weaker = RelationSet(R::kNextTo), .instead = R::kNextTo},
+    {.type = R::kAtHeadOf, .excludes = RelationSet(R::kAtFootOf), .weaker = RelationSet(R::kNextTo), .instead = R::kNextTo},
     {.type = R::kAlongSide, .weaker = RelationSet(R::kNextTo), .instead = R::kNextTo},
     {.type = R::kTuckedUnder, .brings = true},
     {.type = R::kOn,
@@ -96,16 +122,22 @@ constexpr std::array kTraits = std::to_array<RelationTraits>({
      .targets_turned = true,
      .references_turned = true,
      .placing = Placing::kHeight,
+     .excludes = RelationSet(R::kNextTo),
      .said_by = RelationSet(R::kIn, R::kStacked)},
     {.type = R::kUnder, .targets_turned = true, .placing = Placing::kHeight},
-    {.type = R::kAbove, .targets_turned = true, .placing = Placing::kHeight, .said_by = RelationSet(R::kOnCeiling)},
+    {.type = R::kAbove,
+     .targets_turned = true,
+     .placing = Placing::kHeight,
+     .excludes = RelationSet(R::kNextTo),
+     .said_by = RelationSet(R::kOnCeiling)},
     {.type = R::kIn, .supports = true, .targets_turned = true, .references_turned = true, .said_by = RelationSet(R::kOn)},
     {.type = R::kStacked,
      .supports = true,
      .targets_turned = true,
      .references_turned = true,
      .of_group = true,
-     .weaker = RelationSet(R::kOn)},
+     .weaker = RelationSet(R::kOn),
+     .unnamed = "one another"},
     {.type = R::kAround,
      .targets_turned = true,
      .of_group = true,
@@ -117,7 +149,7 @@ constexpr std::array kTraits = std::to_array<RelationTraits>({
      .of_group = true,
      .beside = true,
      .said_by = RelationSet(R::kLeftOf, R::kRightOf, R::kNextTo, R::kSymmetricAbout)},
-    {.type = R::kBetween, .beside = true},
+    {.type = R::kBetween, .beside = true, .least_references = 2},
     {.type = R::kRow, .of_group = true, .order_only = true, .said_by = RelationSet(R::kGroupAlign, R::kEvenlySpaced, R::kGrid)},
     {.type = R::kGrid, .of_group = true, .order_only = true},
     {.type = R::kColumn, .of_group = true, .order_only = true},
@@ -129,10 +161,10 @@ constexpr std::array kTraits = std::to_array<RelationTraits>({
      .around = true,
      .brings = true,
      .weaker = RelationSet(R::kNextTo, R::kFacing)},
-    {.type = R::kPairedWith, .of_group = true, .brings = true},
+    {.type = R::kPairedWith, .of_group = true, .brings = true, .in_pairs = true},
     {.type = R::kClearance},
     {.type = R::kReachable},
-    {.type = R::kKeepClear, .targets_turned = true},
+    {.type = R::kKeepClear, .targets_turned = true, .unnamed = "that part of the room"},
 });
 
 constexpr bool in_order() {
@@ -152,12 +184,19 @@ static_assert(kTraits.size() == std::size_t{0}
 
 const RelationTraits& traits_of(RelationType type) { return kTraits[static_cast<std::size_t>(type)]; }
 
+std::string_view unnamed_reference(RelationType type) {
+  if (const std::string_view said = traits_of(type).unnamed; !said.empty()) return said;
+  const auto kinds = relation_row(type).reference_kinds;
+  return kinds & kWall ? "a wall" : kinds & kOpening ? "an opening" : "the room";
+}
+
 bool says_too(RelationType type, RelationType other) { return type == other || traits_of(type).weaker.has(other); }
 
 bool are_opposed(RelationType a, RelationType b) {
   const Placing one = traits_of(a).placing, other = traits_of(b).placing;
   if (a == b) return one == Placing::kInRoom && (relation_row(a).reference_kinds & kWall) != 0;  // at two walls
-  return one != Placing::kAnywhere && one == other;
+  const bool excluded = traits_of(a).excludes.has(b) || traits_of(b).excludes.has(a);
+  return excluded || (one != Placing::kAnywhere && one == other);
 }
 
 bool take_out(Relation& relation, const std::vector<std::string>& ids) {
@@ -166,13 +205,13 @@ bool take_out(Relation& relation, const std::vector<std::string>& ids) {
   const std::size_t lost_targets = std::erase_if(relation.targets, is_out);
   const std::size_t lost_references = std::erase_if(relation.references, is_out);
   if (lost_targets + lost_references == 0) return true;
-  const bool nothing_between = relation.type == RelationType::kBetween && lost_references > 0 && relation.references.size() < 2;
-  const bool no_pairs =
-      relation.type == RelationType::kPairedWith && lost_targets > 0 && relation.targets.size() < relation.references.size();
+  const RelationTraits& traits = traits_of(relation.type);
+  const bool too_few = lost_references > 0 && static_cast<int>(relation.references.size()) < traits.least_references;
+  const bool no_pairs = traits.in_pairs && lost_targets > 0 && relation.targets.size() < relation.references.size();
   const RelationArity arity = relation_row(relation.type).arity;
   const bool among_themselves = !referred && (arity == RelationArity::kOne || arity == RelationArity::kMany);
   const bool alone = among_themselves && relation.targets.size() < 2;
-  return !relation.targets.empty() && !(referred && relation.references.empty()) && !nothing_between && !no_pairs && !alone;
+  return !relation.targets.empty() && !(referred && relation.references.empty()) && !too_few && !no_pairs && !alone;
 }
 
 }  // namespace layoutbox

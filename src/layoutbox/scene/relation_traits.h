@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "layoutbox/scene/relation_table.h"
@@ -39,17 +40,26 @@ struct RelationTraits {
   bool beside = false;             // its targets stand beside its references, on one floor
   bool around = false;             // on all sides of its reference, looking at it
   bool brings = false;             // its targets belong to its reference: a chair to the table where it stands
+  bool back_to_wall = false;       // its targets turn their backs to a wall
+  bool of_any_two = false;         // may be asked of any two things, whatever they are
+  bool in_pairs = false;           // as many targets as references at least
+  int least_references = 0;        // fewer of those that were named say nothing
   Placing placing = Placing::kAnywhere;
   std::optional<RelationType> inverse = std::nullopt;  // t R r is r I t, where both look the same way
+  RelationSet excludes = {};                           // none of these holds between the same two things
   RelationSet weaker = {};                             // these hold too, with their defaults (between things without other parameters)
   RelationSet said_by = {};                            // who says one of these may mean this one
   std::optional<RelationType> instead = std::nullopt;  // what to try where it cannot be
+  std::string_view unnamed = {};                       // what is meant where no reference is named; empty: by the kind of its references
 };
 
 const RelationTraits& traits_of(RelationType type);
 
 // Is that what it says, or does that follow from it?
 bool says_too(RelationType type, RelationType other);
+
+// What is meant where a relation names no reference: "a wall", "the windows".
+std::string_view unnamed_reference(RelationType type);
 
 // Can the two not hold between the same two things at once? Of one that names a wall: not with two walls.
 bool are_opposed(RelationType a, RelationType b);

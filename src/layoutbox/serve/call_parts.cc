@@ -44,7 +44,7 @@ SolveOptions solve_options(const Json& request, const Surroundings& around) {
 
 Result<GenerateOptions> generate_options(const Json& request, const Surroundings& around) {
   GenerateOptions options;
-  options.companions = request.value("companions", request.value("planner", "offline") == "offline");  // a model names all it wants
+  options.companions = request.value("companions", options.companions);
   options.variants = request.value("variants", 1);
   options.plan.stop = around.stop;
   options.stop = around.stop;

@@ -8,6 +8,7 @@
 #include "layoutbox/pipeline/variants.h"
 #include "layoutbox/scene/json_text.h"
 #include "layoutbox/scene/layout_scene.h"
+#include "layoutbox/scene/relation_traits.h"
 #include "layoutbox/scene/scene_json.h"
 #include "layoutbox/serve/call_parts.h"
 
@@ -163,7 +164,8 @@ Result<Answer> verify_call(const Json& request, const Surroundings& around) {
 
 Answer relations_answer() {
   Json rows = Json::array();
-  for (const RelationRow& row : relation_table()) rows.push_back({{"name", row.name}, {"sentence", row.sentence}});
+  for (const RelationRow& row : relation_table())
+    rows.push_back({{"name", row.name}, {"sentence", row.sentence}, {"unnamed", unnamed_reference(row.type)}});
   return json_answer({{"relations", std::move(rows)}});
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <random>
 #include <utility>
+#include <vector>
 
 #include "layoutbox/scene/relation_traits.h"
 #include "layoutbox/verify/test_room.h"
@@ -80,6 +81,26 @@ TEST(RelationTraits, WeakerOnesFollow) {
       EXPECT_GT((checked[{row.type, weak.type}]), 0) << "in no room " << row.name << " held, from which " << weak.name << " follows";
     }
   }
+}
+
+TEST(RelationTraits, OpposedOnesNeverHoldTogether) {
+  std::mt19937 random(3);
+  int held = 0;
+  for (int n = 0; n < kRooms / 4; ++n) {
+    const TestRoom room = n % 4 == 3 ? arranged_room(random, n % 8 == 3) : some_room(random, n % 2 == 0);
+    std::vector<RelationType> holding;
+    for (const RelationRow& row : relation_table()) {
+      if (is_judged_alone(row.type) && holds(room, row.type, "a", "b")) holding.push_back(row.type);
+    }
+    for (const RelationType one : holding) {
+      for (const RelationType other : holding) {
+        if (one == other) continue;
+        EXPECT_FALSE(are_opposed(one, other)) << relation_row(one).name << " and " << relation_row(other).name << " in room " << n;
+      }
+    }
+    held += static_cast<int>(holding.size());
+  }
+  EXPECT_GT(held, kRooms / 4);
 }
 
 TEST(RelationTraits, SymmetricAndInverseOnesHoldTheOtherWayRound) {

@@ -43,7 +43,7 @@ export function Relations({value, change}: Part) {
             </label>
             <label class="field wide"><span>{form.relation}</span>
               <select value={one.type} onChange={(event) => put(one.key, {type: event.currentTarget.value})}>
-                {[...sentences].map(([name, sentence]) => <option value={name}>{named(sentence)}</option>)}
+                {[...sentences].map(([name, {sentence}]) => <option value={name}>{named(sentence)}</option>)}
               </select>
             </label>
             <label class="field"><span>{form.object}</span>

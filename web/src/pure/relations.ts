@@ -6,7 +6,8 @@ import {type Units, length_text} from "./units";
 
 const words = texts.places;
 
-export type Sentences = ReadonlyMap<string, string>;
+/** By the relation's name: its sentence, and what is meant where it names no reference. */
+export type Sentences = ReadonlyMap<string, {sentence: string; unnamed: string}>;
 
 export const references = (relation: {relativeTo?: string | string[]}): string[] =>
   relation.relativeTo === undefined ? [] : [relation.relativeTo].flat();
@@ -59,7 +60,7 @@ function agreed(template: string, count: number): string {
 }
 
 export function relation_text(relation: SceneRelation, layout: Layout, sentences: Sentences, units: Units): string {
-  const template = open_ended(sentences.get(relation.type), relation);
+  const template = open_ended(sentences.get(relation.type)?.sentence, relation);
   const names = new Map([...places_of(layout), ...names_of(layout)]);
   const called = (id: string) => {
     const name = names.get(id) ?? id.replaceAll("_", " ");
@@ -67,7 +68,7 @@ export function relation_text(relation: SceneRelation, layout: Layout, sentences
   };
   const targets = list(relation.targets.map(called));
   const about = references(relation);
-  const others = about.length > 0 ? list(about.map(called)) : texts.places.unnamed[relation.type] ?? texts.places.the(texts.places.room);
+  const others = about.length > 0 ? list(about.map(called)) : sentences.get(relation.type)?.unnamed ?? texts.places.the(texts.places.room);
   const values = relation as unknown as Record<string, unknown>;
   const text = agreed(template ?? `{targets}: ${relation.type} {references}`, relation.targets.length).replace(/\{(\w+)\}/g, (_all, name: string) => {
     if (name === "targets") return targets;

@@ -1,6 +1,7 @@
 // The one place for state. What undo brings back is in `Doc`; all else is how it is looked at.
 import {useEffect, useState} from "preact/hooks";
 import type {Edited, KeptRoom, Layout, Notes, Report, Scene, Word} from "../gen/types";
+import type {Sentences} from "../pure/relations";
 import type {Units} from "../pure/units";
 import {type History, amended, begin, pushed} from "./history";
 
@@ -43,7 +44,7 @@ export interface State {
   error: {message: string; hint?: string; details?: string[]} | null;
   said: string;
   kept: KeptRoom[];
-  sentences: ReadonlyMap<string, string>;
+  sentences: Sentences;
   panel: string;
   pane: "3d" | "plan" | "about";
   form: boolean;

@@ -8,6 +8,7 @@
 
 #include "layoutbox/base/random.h"
 #include "layoutbox/scene/json_text.h"
+#include "layoutbox/scene/relation_traits.h"
 #include "layoutbox/verify/verify.h"
 
 namespace layoutbox::vlm {
@@ -89,9 +90,6 @@ Relation relation_between(RelationType type, const std::string& target, std::vec
   return relation;
 }
 
-constexpr RelationType kOfPairs[] = {RelationType::kLeftOf, RelationType::kRightOf, RelationType::kInFrontOf,
-                                     RelationType::kBehind, RelationType::kNextTo,  RelationType::kFar};
-
 // What could be said of a room of which nothing is said.
 std::vector<Relation> all_that_could_be_said(const Layout& layout) {
   std::vector<Relation> relations;
@@ -102,7 +100,9 @@ std::vector<Relation> all_that_could_be_said(const Layout& layout) {
     if (object.supported_by == "floor") relations.push_back(relation_between(RelationType::kAgainstWall, object.id, {}));
     for (std::size_t j = 0; j < count; ++j) {
       if (i == j) continue;
-      for (const RelationType type : kOfPairs) relations.push_back(relation_between(type, object.id, {layout.objects[j].id}));
+      for (const RelationRow& row : relation_table()) {
+        if (traits_of(row.type).of_any_two) relations.push_back(relation_between(row.type, object.id, {layout.objects[j].id}));
+      }
     }
   }
   return relations;

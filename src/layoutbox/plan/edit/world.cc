@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "layoutbox/base/words.h"
+#include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox::edit {
 namespace {
@@ -198,7 +199,7 @@ std::vector<int> World::modified(const std::vector<int>& found, const Modifier& 
     };
     bool holds = false;
     for (const PhraseSense& sense : modifier.senses) {
-      const bool carried = sense.type == RelationType::kOn || sense.type == RelationType::kIn;
+      const bool carried = traits_of(sense.type).supports;
       holds = holds || (carried && thing.placed != nullptr && refers({thing.placed->supported_by}));
       for (const PlacedRelation& placed : layout_->relations) {
         if (!modifier.things.empty() && placed.held && placed.relation.type == sense.type && contains(placed.relation.targets, thing.id))
@@ -208,7 +209,7 @@ std::vector<int> World::modified(const std::vector<int>& found, const Modifier& 
     if (holds) said.push_back(i);
   }
   if (!said.empty()) return said;
-  const auto carries = [](const PhraseSense& s) { return s.type == RelationType::kOn || s.type == RelationType::kIn; };
+  const auto carries = [](const PhraseSense& s) { return traits_of(s.type).supports; };
   // "the lamp on the desk" where there is none: not the one that is nearest.
   if (!modifier.things.empty() && std::any_of(modifier.senses.begin(), modifier.senses.end(), carries)) return {};
   // Else the side, where it says one; else the nearest.

@@ -4,6 +4,7 @@
 
 #include "layoutbox/plan/offline/chunks_parts.h"
 #include "layoutbox/plan/offline/english.h"
+#include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
 
@@ -60,8 +61,7 @@ bool Chunker::read_that_may() {
 
 // "please leave the wardrobe out", "keep plants out": it is not wanted.
 bool Chunker::read_leave_out() {
-  static constexpr std::array<std::string_view, 4> kLeaving = {"leave", "keep", "cut", "take"};
-  if (std::ranges::find(kLeaving, tokens_[i_].text) == kLeaving.end() || !clause_begins()) return false;
+  if (!one_of(tokens_[i_].text, WordSet::kLeaving) || !clause_begins()) return false;
   const auto noun = read_noun_phrase(lexicon_, tokens_, i_ + 1, true);
   if (!noun || noun->kind != NounKind::kObject || noun->last >= tokens_.size() || tokens_[noun->last].text != "out") return false;
   if (noun->last + 1 < tokens_.size() && tokens_[noun->last + 1].kind == Token::Kind::kWord) return false;

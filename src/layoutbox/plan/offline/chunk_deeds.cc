@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <array>
 
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/chunks_parts.h"
 #include "layoutbox/plan/offline/english.h"
+#include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
 
@@ -46,10 +48,9 @@ bool Chunker::is_for_whom(std::size_t at) const {
 
 // "he also owns a rocking chair": a piece of furniture somebody has is there; a cat, a boat and a shop are told of.
 bool Chunker::owns_furniture(std::size_t verb) const {
-  static constexpr std::array<std::string_view, 5> kOwning = {"own", "owns", "owned", "possesses", "possessed"};
-  if (std::ranges::find(kOwning, tokens_[verb].text) == kOwning.end()) return false;
+  if (!one_of(tokens_[verb].text, WordSet::kOwning)) return false;
   const auto thing = read_noun_phrase(lexicon_, tokens_, verb + 1, false);
-  return thing && thing->kind == NounKind::kObject && thing->exact && !lexicon_.catalog().is_a(thing->entry->id, "pet");
+  return thing && thing->kind == NounKind::kObject && thing->exact && !thing->entry->is(Trait::kPet);
 }
 
 // "really", "probably", "rather": between what helps and the verb.
@@ -68,11 +69,9 @@ bool Chunker::is_helping(std::size_t at) const {
 
 // "I would just like my recliner …", "someone had left a bucket", "I'd also like to put the till …", after "would", "had".
 bool Chunker::read_helped_wish(std::size_t verb) {
-  static constexpr std::array<std::string_view, 9> kWanting = {"like",       "love",  "prefer", "want", "need",
-                                                               "appreciate", "adore", "have",   "take"};
   bool wanted = false, put = false;
   for (; verb + 1 < tokens_.size(); verb += 2) {
-    wanted |= std::ranges::find(kWanting, tokens_[verb].text) != kWanting.end();
+    wanted |= one_of(tokens_[verb].text, WordSet::kLiking);
     put |= brings_in(verb) || lexicon_.is(tokens_[verb], Class::kParticiple) || lexicon_.is(tokens_[verb], Class::kPlaceVerb) ||
            lexicon_.is(tokens_[verb], Class::kHang);
     if (tokens_[verb + 1].text != "to") break;
@@ -108,8 +107,6 @@ bool Chunker::read_finding() {
 
 // "I'm writing a thriller", "nobody will weigh the dog". "I'm building a cabin" is about the cabin.
 bool Chunker::read_doing() {
-  static constexpr std::array<std::string_view, 8> kMaking = {"building",   "making",   "creating",   "designing",
-                                                              "furnishing", "planning", "decorating", "equipping"};
   if (!follows_doer()) return false;
   if (is_deed(i_)) {
     add(ChunkKind::kPurpose, 1);
@@ -119,7 +116,7 @@ bool Chunker::read_doing() {
   const std::string& doing = tokens_[i_ + 1].text;
   const bool is = tokens_[i_].text == "am" || tokens_[i_].text == "are" || tokens_[i_].text == "is";
   if (is ? !doing.ends_with("ing") : brings_in(i_ + 1) || !opens_noun(tokens_[i_ + 2])) return false;
-  const bool making = is && std::find(kMaking.begin(), kMaking.end(), doing) != kMaking.end();
+  const bool making = is && one_of(doing, WordSet::kMaking);
   add(making ? ChunkKind::kCommand : ChunkKind::kPurpose, 2);
   return true;
 }

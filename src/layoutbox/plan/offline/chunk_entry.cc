@@ -3,6 +3,7 @@
 #include <array>
 
 #include "layoutbox/plan/offline/chunks_parts.h"
+#include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
 
@@ -15,9 +16,7 @@ bool one_of_words(const Token& token, std::initializer_list<std::string_view> wo
   return token.kind == Token::Kind::kWord && std::find(words.begin(), words.end(), token.text) != words.end();
 }
 
-bool enters(const Token& token) {
-  return one_of_words(token, {"enter", "enters", "come", "comes", "walk", "walks", "step", "steps", "go", "goes", "arrive", "arrives"});
-}
+bool enters(const Token& token) { return one_of(token.text, WordSet::kComing); }
 
 }  // namespace
 
@@ -37,10 +36,10 @@ bool Chunker::read_where_in() {
   while (at < tokens_.size() && at < i_ + kWords && one_of_words(tokens_[at], {"the", "most", "all", "morning", "evening", "afternoon"}))
     ++at;
   if (at + 2 > tokens_.size() || at + 1 >= tokens_.size()) return false;
-  const bool light = one_of_words(tokens_[at], {"light", "sun", "daylight", "sunlight", "sunshine"});
+  const bool light = one_of(tokens_[at].text, WordSet::kDaylight);
   const bool who = lexicon_.is(tokens_[at], Class::kDoer) || tokens_[at].text == "one" || lexicon_.is_person(tokens_[at].text);
   const Token& verb = tokens_[at + 1];
-  const bool pours = one_of_words(verb, {"comes", "gets", "pours", "streams", "floods", "falls", "shines", "enters", "hits"});
+  const bool pours = one_of(verb.text, WordSet::kLightComes);
   const bool good = light && verb.text == "is" && at + 2 < tokens_.size() && tokens_[at + 2].kind == Token::Kind::kWord;  // "is best"
   if (!(light && pours) && !good && !(who && enters(verb))) return false;
   const std::size_t end = past_inside(at + (good ? 3 : 2));

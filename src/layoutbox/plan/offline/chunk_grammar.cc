@@ -4,6 +4,7 @@
 
 #include "layoutbox/plan/offline/chunks_parts.h"
 #include "layoutbox/plan/offline/english.h"
+#include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
 
@@ -83,14 +84,11 @@ std::size_t Chunker::length_of_looking() const {
 
 // "has a clear view of", "with views over": the tokens up to the preposition; 0 for none.
 std::size_t Chunker::length_of_view() const {
-  static constexpr std::array<std::string_view, 10> kHaving = {"has",    "have",  "had",      "with",     "having",
-                                                               "enjoys", "enjoy", "enjoying", "commands", "gets"};
   static constexpr std::array<std::string_view, 6> kOver = {"of", "over", "to", "onto", "across", "through"};
-  static constexpr std::array<std::string_view, 5> kViews = {"view", "views", "outlook", "sightline", "sightlines"};
   constexpr std::size_t kMost = 4;
-  if (!is_among(kHaving, tokens_[i_].text) || previous() == ChunkKind::kStop) return 0;
+  if (!one_of(tokens_[i_].text, WordSet::kHavingView) || previous() == ChunkKind::kStop) return 0;
   for (std::size_t at = i_ + 1; at + 2 < tokens_.size() && at <= i_ + kMost && tokens_[at].kind == Token::Kind::kWord; ++at) {
-    if (is_among(kViews, tokens_[at].text)) return is_among(kOver, tokens_[at + 1].text) ? at + 2 - i_ : 0;
+    if (one_of(tokens_[at].text, WordSet::kViews)) return is_among(kOver, tokens_[at + 1].text) ? at + 2 - i_ : 0;
     if (lexicon_.find(tokens_, at, Class::kObject).length > 0) return 0;
   }
   return 0;

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "layoutbox/plan/offline/chunks_parts.h"
+#include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
 
@@ -40,10 +41,7 @@ Chunker::Gap Chunker::gap_here() const {
   return gap.led ? gap : Gap{i_, false, false};
 }
 
-bool Chunker::says_gap(std::size_t at) const {
-  static constexpr std::array<std::string_view, 5> kGaps = {"gap", "distance", "space", "spacing", "clearance"};
-  return at < tokens_.size() && std::find(kGaps.begin(), kGaps.end(), tokens_[at].text) != kGaps.end();
-}
+bool Chunker::says_gap(std::size_t at) const { return at < tokens_.size() && one_of(tokens_[at].text, WordSet::kGaps); }
 
 // Past the word for the gap after its length, or `at`: "600 mm gap", "40 cm of free space".
 std::size_t Chunker::gap_ends(std::size_t at) const {

@@ -6,6 +6,7 @@
 #include "layoutbox/base/words.h"
 #include "layoutbox/plan/offline/chunks_parts.h"
 #include "layoutbox/plan/offline/english.h"
+#include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
 
@@ -15,8 +16,7 @@ namespace {
 
 // Not "hangs", "is mounted", "hang the lamp", which are finite.
 bool is_participle_form(std::string_view word) {
-  static constexpr std::array<std::string_view, 9> kIrregular = {"hung", "set", "put", "laid", "left", "kept", "built", "found", "held"};
-  return word.ends_with("ing") || word.ends_with("ed") || std::find(kIrregular.begin(), kIrregular.end(), word) != kIrregular.end();
+  return word.ends_with("ing") || word.ends_with("ed") || one_of(word, WordSet::kIrregular);
 }
 
 }  // namespace
@@ -123,8 +123,7 @@ bool Chunker::read_whose() {
   if (tokens_[i_].text != "whose" || previous() != ChunkKind::kNoun) return false;
   const auto part = read_noun_phrase(lexicon_, tokens_, i_, false);
   if (!part || part->last >= tokens_.size() || !lexicon_.is(tokens_[part->last], Class::kHave)) return false;
-  static constexpr std::string_view kHolding[] = {"shelf", "drawer", "top", "surface", "compartment", "rack", "tray", "level", "interior"};
-  if (std::ranges::find(kHolding, singular_of(tokens_[part->last - 1].text)) == std::end(kHolding)) return false;
+  if (!one_of(singular_of(tokens_[part->last - 1].text), WordSet::kHoldingParts)) return false;
   add(ChunkKind::kRelative, part->last - i_);
   return true;
 }
@@ -180,11 +179,9 @@ bool Chunker::thing_next(std::size_t at) const {
 // "easy to picture", "nice to look at": what one does, after an adjective that begins no relation phrase. "A layout to copy": with it.
 bool Chunker::read_infinitive() {
   if (tokens_[i_].text != "to" || i_ == 0 || i_ + 1 >= tokens_.size() || tokens_[i_ + 1].kind != Token::Kind::kWord) return false;
-  static constexpr std::array<std::string_view, 14> kDoable = {"easy",      "easier", "hard", "nice", "nicer", "simple", "pleasant",
-                                                               "difficult", "ready",  "good", "fun",  "quick", "safe",   "able"};
   const bool with_it = previous() == ChunkKind::kNoun && chunks_.back().last == i_ && lexicon_.find(tokens_, i_ + 1).length == 0 &&
                        lexicon_.find_phrase(tokens_, i_ + 1).length == 0;
-  if (!with_it && std::find(kDoable.begin(), kDoable.end(), tokens_[i_ - 1].text) == kDoable.end()) return false;
+  if (!with_it && !one_of(tokens_[i_ - 1].text, WordSet::kDoable)) return false;
   add(ChunkKind::kPurpose, 2);
   return true;
 }
@@ -216,8 +213,7 @@ bool Chunker::read_noun(bool bare) {
   if (!noun || noun->last <= i_) return false;
   if (after_noun && noun->kind != NounKind::kWall && noun->kind != NounKind::kCorner) return false;
   if (bare && is_verb_before_article(*noun)) {
-    static constexpr std::array<std::string_view, 7> kHaving = {"bears", "sports", "boasts", "houses", "shelters", "cradles", "hosts"};
-    const bool has = std::find(kHaving.begin(), kHaving.end(), tokens_[i_].text) != kHaving.end();
+    const bool has = one_of(tokens_[i_].text, WordSet::kHaving);
     add(has ? ChunkKind::kHave : ChunkKind::kPurpose, 1);
     return true;
   }

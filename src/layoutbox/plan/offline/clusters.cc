@@ -1,4 +1,5 @@
 #include "layoutbox/plan/offline/clusters.h"
+#include "layoutbox/plan/offline/word_sets.h"
 
 #include <algorithm>
 #include <string_view>
@@ -11,15 +12,12 @@ std::pair<int, std::size_t> together_at(const Lexicon& lexicon, const Document& 
   if (says_one_of(document, at, {"arranged", "grouped", "placed", "set"})) ++at;
   if (!says_one_of(document, at, {"in", "into"})) return {};
   if (const NumberRead count = read_number(lexicon, document.tokens, at + 1);  // "in three groups of four"
-      count.length > 0 &&
-      says_one_of(document, at + 1 + count.length, {"groups", "clusters", "islands", "pods", "blocks", "pairs", "rows"}))
+      count.length > 0 && says_one_of(document, at + 1 + count.length, WordSet::kClustersOrRows))
     at += count.length;
   if (says_one_of(document, at + 1, {"pairs", "twos", "couples"})) return {2, at + 2};
   if (says_one_of(document, at + 1, {"threes"})) return {3, at + 2};
   if (says_one_of(document, at + 1, {"fours"})) return {4, at + 2};
-  if (!says_one_of(document, at + 1, {"groups", "clusters", "islands", "pods", "blocks", "bunches"}) ||
-      !says_one_of(document, at + 2, {"of"}))
-    return {};
+  if (!says_one_of(document, at + 1, WordSet::kClusters) || !says_one_of(document, at + 2, {"of"})) return {};
   const NumberRead number = read_number(lexicon, document.tokens, at + 3);
   constexpr double kMost = 12;
   return number.length > 0 && number.value >= 2 && number.value <= kMost

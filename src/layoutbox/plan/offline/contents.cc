@@ -4,6 +4,7 @@
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
+#include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
 
@@ -142,7 +143,7 @@ void RelationBuilder::add_content(const Link& link, const Mention& target, const
   const Mount mount = mount_of(thing);
   if (thing.entry != nullptr && thing.entry->thin && mount == Mount::kFloor) return each(R::kUnder);
   if (is_table(catalog_, host) && is_seat(catalog_, thing)) return add_seats(link, target.items, hosts);
-  const bool joined = one_of(document_.tokens[link.first].text, {"accompanied", "joined", "paired", "complemented", "coupled"});
+  const bool joined = one_of(document_.tokens[link.first].text, WordSet::kJoinedBy);
   const bool great = thing.entry != nullptr && thing.entry->back_to_wall;  // a wardrobe
   // "a table crowded with bottles and an alembic": whatever it is, a table's top has it.
   const bool on_table = is_table(catalog_, host) && !is_table(catalog_, thing) && mount == Mount::kFloor && !joined && !great;
@@ -171,9 +172,7 @@ void RelationBuilder::add_content(const Link& link, const Mention& target, const
 }
 
 // "a cabinet containing bandages"
-bool RelationBuilder::says_inside(const Link& link) const {
-  return one_of(document_.tokens[link.first].text, {"containing", "contains", "contain", "filled", "stocked", "storing", "stores"});
-}
+bool RelationBuilder::says_inside(const Link& link) const { return one_of(document_.tokens[link.first].text, WordSet::kContaining); }
 
 bool RelationBuilder::shows(const Link& link) const { return shows_things(document_.tokens[link.first].text); }
 

@@ -3,6 +3,7 @@
 
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
+#include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox::offline {
 
@@ -10,7 +11,7 @@ using R = RelationType;
 
 namespace {
 
-bool at_wall(R type) { return type == R::kAgainstWall || type == R::kCorner || type == R::kCenteredOnWall || type == R::kUnderWindow; }
+bool at_wall(R type) { return traits_of(type).back_to_wall; }
 
 bool names_walls(const Relation& relation) { return !relation.references.empty() && relation.type != R::kUnderWindow; }
 
@@ -25,21 +26,12 @@ bool walls_meet(const Relation& a, const Relation& b) {
   return false;
 }
 
-// Of the same two things: next to and far from, left and right, in front of and behind, on and under.
-bool exclude(R a, R b) {
-  static constexpr std::pair<R, R> kPairs[] = {{R::kLeftOf, R::kRightOf},  {R::kInFrontOf, R::kBehind}, {R::kNextTo, R::kFar},
-                                               {R::kNear, R::kFar},        {R::kOn, R::kUnder},         {R::kAbove, R::kUnder},
-                                               {R::kNextTo, R::kOpposite}, {R::kOn, R::kNextTo},        {R::kAtFootOf, R::kAtHeadOf}};
-  return std::any_of(std::begin(kPairs), std::end(kPairs),
-                     [&](const auto& pair) { return (pair.first == a && pair.second == b) || (pair.first == b && pair.second == a); });
-}
-
 bool contradict(const Relation& a, const Relation& b) {
   if (at_wall(a.type) && at_wall(b.type)) return names_walls(a) && names_walls(b) && !walls_meet(a, b);
   const bool middle = a.type == R::kCenterOfRoom || b.type == R::kCenterOfRoom;
   if (middle && (at_wall(a.type) || at_wall(b.type))) return true;
   if ((a.type == R::kOnWall && b.type == R::kOnCeiling) || (a.type == R::kOnCeiling && b.type == R::kOnWall)) return true;
-  return !a.references.empty() && a.references == b.references && exclude(a.type, b.type);
+  return !a.references.empty() && a.references == b.references && are_opposed(a.type, b.type);
 }
 
 }  // namespace

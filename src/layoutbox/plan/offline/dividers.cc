@@ -7,6 +7,7 @@
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
 #include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
+#include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
 
@@ -19,7 +20,7 @@ bool RelationBuilder::may_divide(int item) const {
   const Size& size = entry->size.usual;
   const bool flat = 3 * size.depth <= 2 * size.width && !entry->is(Trait::kSeat) && !entry->is(Trait::kTable) && !entry->is(Trait::kBed) &&
                     !entry->is(Trait::kCenterPiece);
-  return flat && (entry->mount == Mount::kFloor || catalog_.is_a(entry->id, "curtain") || catalog_.is_a(entry->id, "privacy_curtain"));
+  return flat && (entry->mount == Mount::kFloor || entry->is(Trait::kCurtain));
 }
 
 // The great thing of the part of the room whose name stands at token i ("living area"), or that is named there; -1: none.
@@ -31,7 +32,7 @@ int RelationBuilder::side_at(std::size_t i) const {
   for (const Mention& m : document_.mentions) {
     if (m.noun.kind == NounKind::kObject && m.noun.last == i + 1 && !m.items.empty() && stands(m.items.front())) return m.items.front();
   }
-  if (!says_one_of(document_, i + 1, {"area", "zone", "space", "corner", "part", "side", "nook"})) return -1;
+  if (!says_one_of(document_, i + 1, WordSet::kRoomParts)) return -1;
   for (const ZoneUse& row : Groups::builtin().zones) {
     if (std::ranges::find(row.said, document_.tokens[i].text) == row.said.end()) continue;
     for (const std::string& kind : row.unless) {
@@ -75,7 +76,7 @@ void RelationBuilder::divide(std::size_t word) {
   std::size_t first = word, last = word;
   while (first > 0 && !document_.tokens[first - 1].ends_sentence) --first;
   while (last < document_.tokens.size() && !document_.tokens[last].ends_sentence) ++last;
-  const bool passive = says_one_of(document_, word, {"separated", "divided", "partitioned", "screened"});
+  const bool passive = says_one_of(document_, word, WordSet::kDividedBy);
   int divider = -1;
   for (std::size_t i = 0; i < document_.items.size(); ++i) {
     const NounPhrase& noun = document_.items[i].noun;
@@ -93,8 +94,8 @@ void RelationBuilder::divide(std::size_t word) {
     if (item >= 0 && item != divider && !contains(sides, item) && sides.size() < 2) sides.push_back(item);
   };
   // "a bed behind a shelf used as a divider, a sofa": what is named before parts from what follows.
-  const bool between = passive || !says_one_of(document_, word, {"divider", "partition", "separator"}) ||
-                       says_one_of(document_, word + 1, {"between", "from"});
+  const bool between =
+      passive || !says_one_of(document_, word, WordSet::kDividers) || says_one_of(document_, word + 1, {"between", "from"});
   for (std::size_t i = word; !between && i-- > first && sides.empty();) take(side_at(i));
   for (std::size_t i = word + 1; i < last; ++i) take(side_at(i));
   if (passive && sides.size() > 1) sides.resize(1);  // "separated from the living area by a shelf, a sofa"
@@ -118,9 +119,9 @@ void RelationBuilder::divide(std::size_t word) {
 void RelationBuilder::divide_groups() {
   std::size_t sentence = document_.tokens.size();
   for (std::size_t i = 0; i < document_.tokens.size(); ++i) {
-    const bool as = says_one_of(document_, i, {"divider", "partition", "separator"}) &&
+    const bool as = says_one_of(document_, i, WordSet::kDividers) &&
                     (says_one_of(document_, i - std::min<std::size_t>(i, 1), {"as", "a", "room", "the"}));
-    const bool verb = says_one_of(document_, i, {"separated", "divided", "partitioned", "separating", "separates", "dividing", "divides"});
+    const bool verb = says_one_of(document_, i, WordSet::kDividing);
     const bool screened = says_one_of(document_, i, {"screened", "screening"}) && says_one_of(document_, i + 1, {"off", "from"});
     if ((!as && !verb && !screened) || i < 2) continue;
     const bool led = as && (says_one_of(document_, i - 1, {"as"}) || says_one_of(document_, i - 2, {"as"}) ||

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "layoutbox/plan/offline/chunks.h"
+#include "layoutbox/plan/offline/word_sets.h"
 #include "layoutbox/plan/planner.h"
 
 namespace layoutbox::offline {
@@ -103,6 +104,10 @@ void read_document(const Lexicon& lexicon, Document& document);
 // One of these words stands at token `i`.
 inline bool says_one_of(const Document& document, std::size_t i, std::initializer_list<std::string_view> words) {
   return i < document.tokens.size() && std::ranges::find(words, std::string_view(document.tokens[i].text)) != words.end();
+}
+
+inline bool says_one_of(const Document& document, std::size_t i, WordSet set) {
+  return i < document.tokens.size() && one_of(document.tokens[i].text, set);
 }
 
 // The chunks that begin at tokens [first, last) have said what they had to say, in that role.

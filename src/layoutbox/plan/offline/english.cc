@@ -6,6 +6,7 @@
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/kin.h"
+#include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
 namespace {
@@ -77,11 +78,6 @@ bool may_be_verb(std::string_view word) {
          std::any_of(forms.begin(), forms.end(), [&](const std::string& form) { return has_verb(english_line(form)); });
 }
 
-bool is_collective(std::string_view singular) {
-  static constexpr std::array<std::string_view, 20> kCollectives = {
-      "item",     "essential", "product",  "accessory", "supply", "object",   "trinket",   "knickknack", "decoration", "ornament",
-      "toiletry", "good",      "keepsake", "utensil",   "tool",   "valuable", "belonging", "peripheral", "gear",       "stuff"};
-  return std::find(kCollectives.begin(), kCollectives.end(), singular) != kCollectives.end();
-}
+bool is_collective(std::string_view singular) { return one_of(singular, WordSet::kCollectives); }
 
 }  // namespace layoutbox::offline

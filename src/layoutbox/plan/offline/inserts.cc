@@ -5,6 +5,7 @@
 
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
 namespace {
@@ -78,9 +79,8 @@ class InsertReader {
   void read_quality(std::size_t k) {
     if (!is(k, ChunkKind::kRelation) || !is(k + 1, ChunkKind::kNoun) || k == 0) return;
     const NounPhrase& noun = chunks_[k + 1].noun;
-    const bool shown = chunks_[k].last == chunks_[k].first + 1 && word(k) == "in" &&
-                       one_of(noun.head, {"color", "shade", "hue", "tone", "tint", "style", "finish", "pattern", "print", "fabric"});
-    const bool cover = one_of(word(k), {"covered", "coated", "wrapped", "clad", "upholstered", "padded", "bound", "painted", "dipped"});
+    const bool shown = chunks_[k].last == chunks_[k].first + 1 && word(k) == "in" && one_of(noun.head, WordSet::kLooks);
+    const bool cover = one_of(word(k), WordSet::kCoveredWith);
     const bool stuff = noun.kind == NounKind::kObject && noun.determiner == Determiner::kNone && noun.count == 0 && !noun.plural &&
                        noun.name == noun.head && !noun.contents;
     if (shown || (cover && stuff && one_of(last_word(k), {"in", "with", "by"}))) pass_over(k, k + 2, "attribute");
@@ -90,7 +90,7 @@ class InsertReader {
   void read_own_feet(std::size_t k) {
     if (!is(k, ChunkKind::kRelation) || !is(k + 1, ChunkKind::kNoun) || word(k) != "on" || last_word(k) != "on") return;
     const NounPhrase& noun = chunks_[k + 1].noun;
-    const bool feet = one_of(noun.head, {"leg", "foot", "wheel", "castor", "caster", "hinge", "rocker", "tripod", "haunch"});
+    const bool feet = one_of(noun.head, WordSet::kFeet);
     if (feet && (noun.determiner == Determiner::kPossessive || noun.count > 0)) pass_over(k, k + 2, "attribute");
   }
 

@@ -2,6 +2,7 @@
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/size_words.h"
 #include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/plan/offline/word_sets.h"
 #include "layoutbox/scene/relation_traits.h"
 
 #include <algorithm>
@@ -18,10 +19,7 @@ bool is_full_height(const NounPhrase& noun) {
 }
 
 bool is_tall(const NounPhrase& noun) {
-  static constexpr std::string_view kTall[] = {"tall", "high", "large", "big", "wide"};
-  return is_full_height(noun) || std::ranges::any_of(kTall, [&](std::string_view word) {
-           return std::ranges::find(noun.attributes, word) != noun.attributes.end();
-         });
+  return is_full_height(noun) || std::ranges::any_of(noun.attributes, [](const std::string& said) { return one_of(said, WordSet::kTall); });
 }
 
 bool is_common(const NounPhrase& noun) {
@@ -31,10 +29,8 @@ bool is_common(const NounPhrase& noun) {
 namespace {
 
 bool may_be_under(const Catalog& catalog, const NounPhrase& host) {
-  return is_table(catalog, host) ||
-         one_of(host.head, {"bed", "sofa", "couch", "shelf", "loft", "window", "tv", "stairs", "stand", "console", "bench", "piano", "sink",
-                            "basin", "washbasin", "easel", "lift"}) ||
-         mount_of(host) == Mount::kWall || mount_of(host) == Mount::kCeiling;
+  return is_table(catalog, host) || one_of(host.head, WordSet::kRoomUnder) || mount_of(host) == Mount::kWall ||
+         mount_of(host) == Mount::kCeiling;
 }
 
 }  // namespace
@@ -47,20 +43,19 @@ Mount mount_of(const NounPhrase& noun) {
 }
 
 bool is_table(const Catalog& /*catalog*/, const NounPhrase& noun) {
-  if (noun.entry == nullptr) return one_of(noun.head, {"table", "desk", "island", "counter", "bar"});
-  return noun.entry->is(Trait::kTable) || one_of(noun.head, {"table", "desk", "island", "counter", "bar", "workbench"});
+  if (noun.entry == nullptr) return one_of(noun.head, WordSet::kTables);
+  return noun.entry->is(Trait::kTable) || one_of(noun.head, WordSet::kTables);
 }
 
 bool is_seat(const Catalog& /*catalog*/, const NounPhrase& noun) {
   if (noun.entry != nullptr && noun.entry->is(Trait::kSeat)) return true;
   if (noun.entry != nullptr && noun.entry->is(Trait::kTable)) return false;  // a bench to work at
-  return one_of(noun.head,
-                {"chair", "stool", "armchair", "seat", "bench", "barstool", "recliner", "sofa", "couch", "loveseat", "ottoman", "pouf"});
+  return one_of(noun.head, WordSet::kSeats);
 }
 
 bool is_lamp(const Catalog& /*catalog*/, const NounPhrase& noun) {
   if (noun.entry != nullptr && noun.entry->is(Trait::kLamp)) return true;
-  return one_of(noun.head, {"lamp", "light", "chandelier", "pendant", "sconce", "lantern"});
+  return one_of(noun.head, WordSet::kLamps);
 }
 
 bool is_storage(const NounPhrase& noun) {
@@ -70,18 +65,12 @@ bool is_storage(const NounPhrase& noun) {
         noun.entry->is(Trait::kShelving))
       return true;
   }
-  return one_of(noun.head,
-                {"shelf",   "bookshelf", "bookcase", "rack",    "cart",         "trolley", "basket",    "box",    "bin",      "chest",
-                 "cabinet", "cupboard",  "wardrobe", "closet",  "crate",        "bowl",    "vase",      "cooler", "case",     "hamper",
-                 "pantry",  "bucket",    "jar",      "fridge",  "refrigerator", "holder",  "organizer", "cubby",  "shelving", "drawer",
-                 "hutch",   "trunk",     "pot",      "planter", "caddy",        "bag",     "container", "locker", "armoire",  "unit"});
+  return one_of(noun.head, WordSet::kStorage);
 }
 
 bool is_textile(const Catalog& catalog, const NounPhrase& noun) {
   (void)catalog;
-  return mount_of(noun) == Mount::kHung ||
-         one_of(noun.head, {"pillow", "cushion", "blanket", "throw", "bedspread", "quilt", "duvet", "comforter", "toy", "doll", "bear",
-                            "sheet", "linen", "coverlet", "bolster", "towel"});
+  return mount_of(noun) == Mount::kHung || one_of(noun.head, WordSet::kSoftThings);
 }
 
 bool stands_by(const Catalog& catalog, const NounPhrase& noun, const NounPhrase& other) {
@@ -91,9 +80,7 @@ bool stands_by(const Catalog& catalog, const NounPhrase& noun, const NounPhrase&
 }
 
 bool has_hooks(const NounPhrase& noun) {
-  if (!one_of(noun.head, {"pegboard", "corkboard", "pinboard", "board", "rack", "hook", "rail", "ring", "hanger", "bar", "rod", "line",
-                          "tree", "stand"}))
-    return false;
+  if (!one_of(noun.head, WordSet::kHookBoards)) return false;
   if (noun.entry == nullptr) return false;
   const bool inside = std::any_of(noun.entry->spaces.begin(), noun.entry->spaces.end(), [](const SpaceFormula& s) { return s.carries; });
   return !noun.entry->top_carries && !inside && !noun.entry->is(Trait::kScreen) &&
@@ -112,7 +99,7 @@ int sides_by_shape(const NounPhrase& noun) {
 bool is_heavy(const Catalog& catalog, const NounPhrase& noun) {
   if (noun.entry == nullptr || mount_of(noun) != Mount::kFloor) return false;
   if (is_table(catalog, noun) || is_seat(catalog, noun) || noun.entry->thin) return true;
-  if (one_of(noun.head, {"bed", "sofa", "couch", "dresser", "wardrobe", "sideboard", "fireplace", "stove", "fridge"})) return true;
+  if (one_of(noun.head, WordSet::kHeavyThings)) return true;
   constexpr double kHeavy = 0.25e9;  // mm³
   constexpr Mm kTall = 1300;
   const Size& usual = noun.entry->size.usual;
@@ -134,7 +121,7 @@ bool is_platform(const NounPhrase& host) {
 bool lies_or_hangs(const NounPhrase& item) {
   constexpr Mm kFlat = 60;
   return item.entry != nullptr && mount_of(item) == Mount::kWall &&
-         (item.entry->size.usual.depth <= kFlat || one_of(item.head, {"frame", "clock", "plant", "tv", "television", "screen"}));
+         (item.entry->size.usual.depth <= kFlat || one_of(item.head, WordSet::kMayStand));
 }
 
 }  // namespace
@@ -145,16 +132,14 @@ bool may_carry(const Catalog& catalog, const NounPhrase& host, const NounPhrase&
   const bool rug_host = host.entry != nullptr && host.entry->thin;
   if (rug_host) return true;
   if (item.collective) return true;
-  if (mount == Mount::kHung &&
-      one_of(host.head, {"rack", "hook", "stand", "rail", "rod", "tree", "hanger", "line", "chair", "wardrobe", "ladder"}))
-    return true;
+  if (mount == Mount::kHung && one_of(host.head, WordSet::kForClothes)) return true;
   // Clothes lie on beds, seats, tables and shelves as well.
   const bool lies =
       is_seat(catalog, host) || is_table(catalog, host) || is_storage(host) || (host.entry != nullptr && host.entry->is(Trait::kBed));
   if (mount == Mount::kHung && lies) return true;
   // A hat or a bag on its stand.
   constexpr Mm kLight = 450;
-  if (host.entry != nullptr && catalog.is_a(host.entry->id, "coat_rack") && mount == Mount::kSurface && item.entry != nullptr)
+  if (host.entry != nullptr && host.entry->is(Trait::kCoatStand) && mount == Mount::kSurface && item.entry != nullptr)
     return item.entry->size.usual.width <= kLight;
   // What stands taller than the board or the hook stands by itself: a coat stand.
   constexpr Mm kTallest = 900;
@@ -169,10 +154,9 @@ bool may_carry(const Catalog& catalog, const NounPhrase& host, const NounPhrase&
   if (mount != Mount::kSurface && !lies_or_hangs(item)) {
     // A thing nobody knows may be small.
     const bool unknown = item.entry == nullptr || (!item.exact && item.entry->id != item.category);
-    const bool small =
-        item.entry != nullptr && item.entry->size.usual.width <= 500 && item.entry->size.usual.height <= 600 && !item.entry->thin &&
-        !is_seat(catalog, item) && mount == Mount::kFloor && !is_table(catalog, item) &&
-        (item.entry->used_sides.empty() || one_of(item.head, {"basket", "box", "fridge", "plant", "machine", "cooler", "bin"}));
+    const bool small = item.entry != nullptr && item.entry->size.usual.width <= 500 && item.entry->size.usual.height <= 600 &&
+                       !item.entry->thin && !is_seat(catalog, item) && mount == Mount::kFloor && !is_table(catalog, item) &&
+                       (item.entry->used_sides.empty() || one_of(item.head, WordSet::kSmallOnFloor));
     if (!(unknown && item.entry == nullptr) && !small) return false;
   }
   if (is_storage(host) || is_table(catalog, host)) return true;

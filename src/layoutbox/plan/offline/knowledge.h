@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "layoutbox/plan/offline/document.h"
+#include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
 
@@ -15,9 +16,7 @@ inline bool one_of(std::string_view word, std::initializer_list<std::string_view
 }
 
 // "holds", "displaying": what a thing so said to have is on it or in it.
-inline bool shows_things(std::string_view word) {
-  return one_of(word, {"holding", "holds", "hold", "bears", "displaying", "displays", "display", "showcasing", "showcases"});
-}
+inline bool shows_things(std::string_view word) { return one_of(word, WordSet::kShowing); }
 
 // What things on one floor are to each other.
 bool stands_beside(RelationType type);

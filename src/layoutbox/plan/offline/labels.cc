@@ -1,4 +1,5 @@
 #include "layoutbox/plan/offline/labels.h"
+#include "layoutbox/plan/offline/word_sets.h"
 
 #include <algorithm>
 #include <string_view>
@@ -30,8 +31,9 @@ class LabelReader {
   bool is_quote(std::size_t i) const { return tokens_[i].kind == Token::Kind::kPunctuation && tokens_[i].text == "\""; }
   bool is_number(std::size_t i) const { return i < tokens_.size() && tokens_[i].kind == Token::Kind::kNumber; }
   bool is_word(std::size_t i) const { return i < tokens_.size() && tokens_[i].kind == Token::Kind::kWord; }
-  template <typename Words>
-  bool is_one_of(std::size_t i, const Words& words) const {
+  bool is_one_of(std::size_t i, WordSet set) const { return i < tokens_.size() && one_of(tokens_[i].text, set); }
+  template <std::size_t n>
+  bool is_one_of(std::size_t i, const std::string_view (&words)[n]) const {
     return i < tokens_.size() && std::ranges::find(words, tokens_[i].text) != std::end(words);
   }
 
@@ -93,8 +95,8 @@ class LabelReader {
     const bool behind = is_letter(i + 1) && tokens_[i + 1].glued;
     const bool before = i > 0 && is_letter(i - 1) && tokens_[i].glued && tokens_[i].begin == tokens_[i - 1].end;
     // "Item 6, the committee room", "(6-DoF)"
-    static constexpr std::string_view kListed[] = {"item", "section", "chapter", "page", "lot", "nr", "point", "step", "option", "figure"};
-    const bool listed = i > 0 && is_one_of(i - 1, kListed) && i + 1 < tokens_.size() && tokens_[i + 1].kind == Token::Kind::kPunctuation;
+    const bool listed =
+        i > 0 && is_one_of(i - 1, WordSet::kListedAs) && i + 1 < tokens_.size() && tokens_[i + 1].kind == Token::Kind::kPunctuation;
     const bool bracketed = i > 0 && tokens_[i - 1].text == "(" && is_word(i + 1) && i + 2 < tokens_.size() && tokens_[i + 2].text == ")" &&
                            tokens_[i + 1].glued && !lexicon_.is(tokens_[i + 1], WordClass::kUnit) && tokens_[i + 1].text != "x";
     if (listed) leave_out(i - 1, i + 1, "a name");
@@ -136,16 +138,13 @@ class LabelReader {
     const bool times =
         i > 1 && tokens_[i - 1].text == "x" && tokens_[i - 2].text == "(" && i + 1 < tokens_.size() && tokens_[i + 1].text == ")";
     if (times) skip_[i - 2] = skip_[i + 1] = true;
-    static constexpr std::string_view kPieces[] = {"pcs", "pieces", "nos"};
-    if (is_one_of(i + 1, kPieces) && !is_word(i + 2)) skip_[i + 1] = true;
+    if (is_one_of(i + 1, WordSet::kPieces) && !is_word(i + 2)) skip_[i + 1] = true;
   }
 
   // "Hi Facilities,", "Buenas!", "Dear builder,": whom the text greets.
   void read_greeting(std::size_t i) {
-    static constexpr std::string_view kGreetings[] = {"hi",     "hello", "hey",   "dear",    "howdy", "hola",
-                                                      "buenas", "ciao",  "hallo", "bonjour", "servus"};
     constexpr std::size_t kMostNames = 4;
-    if (!is_one_of(i, kGreetings) || (i > 0 && !tokens_[i - 1].ends_sentence)) return;
+    if (!is_one_of(i, WordSet::kGreetings) || (i > 0 && !tokens_[i - 1].ends_sentence)) return;
     std::size_t end = i + 1;
     while (is_word(end) && !lexicon_.is(tokens_[end], WordClass::kIndefinite) && !lexicon_.is(tokens_[end], WordClass::kNumber)) ++end;
     if (end <= i + 1 + kMostNames && end < tokens_.size() && tokens_[end].kind == Token::Kind::kPunctuation)

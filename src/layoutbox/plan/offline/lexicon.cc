@@ -4,6 +4,7 @@
 #include <array>
 
 #include "layoutbox/base/words.h"
+#include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
 namespace {
@@ -32,9 +33,8 @@ bool has_plural(std::span<const Meaning> meanings) {
 
 // "chestof" of "chests of": no rows or pairs, which are counts of what stands in them.
 std::string several_of(const std::string& word) {
-  static constexpr std::array<std::string_view, 6> kCounts = {"rows", "lines", "columns", "pairs", "groups", "clusters"};
   const std::string one = singular_of(word);
-  return one == word || std::find(kCounts.begin(), kCounts.end(), word) != kCounts.end() ? std::string() : one + "of";
+  return one == word || one_of(word, WordSet::kRowsOfThings) ? std::string() : one + "of";
 }
 
 bool is_distributor(std::string_view word) { return word == "each" || word == "every" || word == "either" || word == "both"; }

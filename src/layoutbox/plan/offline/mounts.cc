@@ -253,7 +253,7 @@ bool RelationBuilder::hangs_on_hooks(const std::string& object) const {
     if (host == nullptr) return false;
     // A coat stand has no top and no inside: on it things hang.
     const CatalogEntry* entry = noun_of_object(*host).entry;
-    const bool stand = entry != nullptr && catalog_.is_a(entry->id, "coat_rack") && entry->spaces.empty() && !entry->top_carries;
+    const bool stand = entry != nullptr && entry->is(Trait::kCoatStand) && entry->spaces.empty() && !entry->top_carries;
     return stand || has_hooks(noun_of_object(*host));
   });
 }

@@ -2,6 +2,7 @@
 #include "layoutbox/catalog/kin.h"
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
+#include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
 
@@ -101,7 +102,7 @@ void NounPhraseReader::settle_kind(const PhrasePart& head, std::size_t head_inde
   }
   if (phrase_.determiner == Determiner::kIndefinite && phrase_.count == 0) phrase_.plural = false;  // "a box of tissues"
   // "some big painting", "any table": one of it. "Some fruit" and "some storage" are as many as may be.
-  const bool of_many = one_of(phrase_.head, {"art", "artwork", "shelving", "seating", "lighting", "greenery"});
+  const bool of_many = one_of(phrase_.head, WordSet::kStuff);
   const bool furniture = phrase_.entry != nullptr && phrase_.entry->mount != Mount::kSurface && head.last == head.first + 1 && !of_many;
   if (phrase_.vague && !phrase_.plural && furniture && tokens_[phrase_.first].text == "some") {
     phrase_.count = 1;

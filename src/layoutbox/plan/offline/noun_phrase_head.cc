@@ -7,6 +7,7 @@
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
 #include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
 
@@ -67,7 +68,6 @@ bool NounPhraseReader::has_telling_head(const PhrasePart& part, std::size_t head
 
 // "a kettlebell set", "a first aid kit": the things themselves, as one.
 void NounPhraseReader::join_set(std::size_t& head) {
-  static constexpr std::string_view kSets[] = {"set", "kit", "collection", "ensemble", "stack", "pile", "bundle"};
   if (head < 2) return;
   const PhrasePart& last = parts_[head - 1];
   PhrasePart& thing = parts_[head - 2];
@@ -75,7 +75,7 @@ void NounPhraseReader::join_set(std::size_t& head) {
       lexicon_.set_of(text_of(tokens_, thing.first, last.last)) != nullptr)
     return;
   const std::string word = singular_of(tokens_[last.first].text);
-  if (std::find(std::begin(kSets), std::end(kSets), word) == std::end(kSets)) return;
+  if (!one_of(word, WordSet::kTogether)) return;
   thing.last = last.last;
   thing.plural = last.plural;
   parts_.erase(parts_.begin() + static_cast<std::ptrdiff_t>(head) - 1);
@@ -84,12 +84,10 @@ void NounPhraseReader::join_set(std::size_t& head) {
 
 // "a drying rack thing": the rack; "an armchair pair": two. Where the phrase ends then, 0 where no such word is there.
 std::size_t NounPhraseReader::drop_thing(std::size_t& head) {
-  static constexpr std::string_view kThings[] = {"thing",  "things",      "thingy", "thingie",       "thingamajig", "contraption",
-                                                 "affair", "arrangement", "setup",  "configuration", "pair",        "duo"};
   if (head < 2 || head != parts_.size()) return 0;
   const PhrasePart &last = parts_[head - 1], &named = parts_[head - 2];
   if (named.word_class != Class::kObject || named.last != last.first || last.last != last.first + 1 ||
-      std::find(std::begin(kThings), std::end(kThings), tokens_[last.first].text) == std::end(kThings))
+      !one_of(tokens_[last.first].text, WordSet::kVagueThings))
     return 0;
   const std::size_t end = last.last;
   const std::string& word = tokens_[last.first].text;

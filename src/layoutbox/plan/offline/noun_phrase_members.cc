@@ -7,6 +7,7 @@
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
 #include "layoutbox/plan/offline/references.h"
+#include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
 
@@ -123,9 +124,7 @@ bool NounPhraseReader::read_superlative() {
   const bool definite = phrase_.determiner == Determiner::kDefinite;
   if (!definite || !parts_.empty() || !more() || token().kind != Token::Kind::kWord || token().text.size() < 6) return false;
   const std::string& word = token().text;
-  static constexpr std::string_view kComparing[] = {"taller", "shorter",  "larger", "smaller", "bigger",
-                                                    "wider",  "narrower", "longer", "lower"};
-  const bool compared = std::ranges::find(kComparing, word) != std::end(kComparing);
+  const bool compared = one_of(word, WordSet::kCompared);
   if ((!word.ends_with("est") && !compared) || lexicon_.find_phrase(tokens_, i_).length > 0 ||
       lexicon_.find(tokens_, i_, Class::kObject).length > 0)
     return false;

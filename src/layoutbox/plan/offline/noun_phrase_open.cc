@@ -4,6 +4,7 @@
 #include "layoutbox/base/words.h"
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
+#include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
 
@@ -20,15 +21,11 @@ bool NounPhraseReader::read_count() {
 
 // "a 10 litre bucket", "a six burner stove", "two 40 watt lamps": a number of what the thing has, holds or takes.
 bool NounPhraseReader::describes(std::size_t at) const {
-  static constexpr std::string_view kUnits[] = {"litre", "liter", "litres", "liters", "l",  "ml",  "gallon", "gallons", "kg",  "kilo", "lb",
-                                                "watt",  "watts", "w",      "volt",   "hp", "bit", "pound",  "gram",    "amp", "quart"};
-  static constexpr std::string_view kCounting[] = {"one",   "single",  "dual", "twin", "double", "triple",
-                                                   "dozen", "hundred", "pair", "lone", "sole"};
   if (at + 2 >= tokens_.size() || tokens_[at + 1].kind != Token::Kind::kWord || tokens_[at + 2].kind != Token::Kind::kWord) return false;
   const bool digits = tokens_[at].kind == Token::Kind::kNumber;
   if (!digits && lexicon_.find(tokens_, at, Class::kNumber).length != 1) return false;
-  if (std::find(std::begin(kCounting), std::end(kCounting), tokens_[at].text) != std::end(kCounting)) return false;
-  if (std::find(std::begin(kUnits), std::end(kUnits), tokens_[at + 1].text) != std::end(kUnits))
+  if (one_of(tokens_[at].text, WordSet::kCounting)) return false;
+  if (one_of(tokens_[at + 1].text, WordSet::kContents))
     return tokens_[at + 2].text != "of" && lexicon_.find_phrase(tokens_, at + 2).length == 0;
   if (phrase_.determiner != Determiner::kIndefinite || counted_ || plural_at(at + 1)) return false;
   return is_noun(noun_form(tokens_[at + 1].text)) && lexicon_.find(tokens_, at + 2).length > 0 && !plural_at(at + 2);
@@ -52,10 +49,9 @@ bool NounPhraseReader::read_digits() {
 
 // "a stack of", "two piles of": how several lie as one thing; empty where they do not, or where it is not said of how many heaps.
 std::string_view NounPhraseReader::heap_at(std::size_t at, std::size_t length) const {
-  static constexpr std::string_view kHeaps[] = {"stack", "pile", "heap", "bundle", "ream"};
   for (std::size_t i = at; i < at + length; ++i) {
-    const auto* const heap = std::ranges::find(kHeaps, std::string_view(singular_of(tokens_[i].text)));
-    if (heap != std::end(kHeaps) && (*heap == tokens_[i].text || counted_)) return *heap;
+    const std::string_view heap = word_of(WordSet::kHeaps, singular_of(tokens_[i].text));
+    if (!heap.empty() && (heap == tokens_[i].text || counted_)) return heap;
   }
   return {};
 }
@@ -129,9 +125,7 @@ void NounPhraseReader::read_upper_end() {
 
 // "a dual sink vanity", "a triple monitor stand": an adjective of what is one; "dual monitors" are two.
 bool NounPhraseReader::doubles_noun(std::size_t at) const {
-  static constexpr std::string_view kDoubling[] = {"dual", "double", "twin", "triple"};
-  if (at + 1 >= tokens_.size() || std::find(std::begin(kDoubling), std::end(kDoubling), tokens_[at].text) == std::end(kDoubling))
-    return false;
+  if (at + 1 >= tokens_.size() || !one_of(tokens_[at].text, WordSet::kDoubling)) return false;
   const Match next = lexicon_.find(tokens_, at + 1);
   if (tokens_[at + 1].text == "one") return true;  // "a double one"
   return next.length > 0 && has(next, Class::kObject) && !next.plural;
@@ -151,9 +145,8 @@ bool NounPhraseReader::take_size() {
 
 // "two clusters of four desks": eight desks.
 bool NounPhraseReader::read_clusters() {
-  static constexpr std::string_view kClusters[] = {"clusters", "groups", "sets", "islands", "pods"};
   if (!counted_ || phrase_.count < 2 || !more() || token().kind != Token::Kind::kWord || !at_word("of", 1) || i_ + 3 >= tokens_.size() ||
-      std::find(std::begin(kClusters), std::end(kClusters), token().text) == std::end(kClusters))
+      !one_of(token().text, WordSet::kClusters))
     return false;
   const std::size_t at = i_;
   const int clusters = phrase_.count;

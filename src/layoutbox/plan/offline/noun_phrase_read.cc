@@ -4,8 +4,10 @@
 #include <string_view>
 
 #include "layoutbox/base/words.h"
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
+#include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
 
@@ -32,7 +34,6 @@ bool NounPhraseReader::names_on(const Match& match) const {
 
 // "a wreath stand", "an owl perch", "the witness stand": after one thing a verb would have its -s; but "let a lamp stand".
 bool NounPhraseReader::names_after_one(const Match& match) const {
-  static constexpr std::string_view kCausing[] = {"let", "make", "makes", "see", "watch", "have", "having"};
   const std::string& text = token().text;
   if (match.length != 1 || parts_.empty() || parts_.back().last != i_ || parts_.back().plural || has(match, Class::kParticiple))
     return false;
@@ -49,7 +50,7 @@ bool NounPhraseReader::names_after_one(const Match& match) const {
   if (plural_at(i_) || text.ends_with("ed") || text.ends_with("ing") || opens_at(i_ + 1)) return false;
   if (phrase_.first == 0) return true;
   const Token& before = tokens_[phrase_.first - 1];  // "a table and a lamp stand in the corner": of both
-  return !lexicon_.is(before, Class::kAnd) && std::find(std::begin(kCausing), std::end(kCausing), before.text) == std::end(kCausing);
+  return !lexicon_.is(before, Class::kAnd) && !one_of(before.text, WordSet::kCausing);
 }
 
 bool NounPhraseReader::read_part() {
@@ -107,10 +108,7 @@ bool NounPhraseReader::read_listed(const Match& match, bool noun_before) {
   if (object != nullptr && has(match, Class::kRoom) && opens_text(i_ + match.length))
     return add(Class::kRoom, *meaning_of(match, Class::kRoom), match.length, match.plural);
   // "mid-century style table", "tan colored rug": the word belongs to the attribute before it.
-  static constexpr std::string_view kOfAttribute[] = {"style", "styled", "themed", "inspired", "shaped", "toned", "colored",
-                                                      "size",  "sized",  "type",   "looking",  "backed", "topped"};
-  if (!parts_.empty() && is_attribute_class(parts_.back().word_class) && match.length == 1 &&
-      std::find(std::begin(kOfAttribute), std::end(kOfAttribute), token().text) != std::end(kOfAttribute)) {
+  if (!parts_.empty() && is_attribute_class(parts_.back().word_class) && match.length == 1 && one_of(token().text, WordSet::kLookEnds)) {
     parts_.back().last = i_ + 1;
     ++i_;
     return true;
@@ -295,7 +293,7 @@ void NounPhraseReader::read_parts() {
       if (!noun) break;
       // "teenager's bedroom", "child's desk", "the cat's bed": a person or an animal owns it; "the bed's foot": a thing does.
       const CatalogEntry* entry = parts_.back().meaning.entry;
-      const bool animal = entry != nullptr && lexicon_.catalog().is_a(entry->id, "pet");
+      const bool animal = entry != nullptr && entry->is(Trait::kPet);
       if (animal) {
         parts_.clear();
         ++i_;

@@ -5,6 +5,7 @@
 
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
 namespace {
@@ -15,9 +16,8 @@ constexpr double kWidthOfDiagonal = 0.8716, kHeightOfDiagonal = 0.4903;
 bool is_screen(const CatalogEntry& entry) { return entry.is(Trait::kScreen) || entry.is(Trait::kMonitor); }
 
 bool is_as_wide_as_deep(const NounPhrase& noun) {
-  return std::any_of(noun.attributes.begin(), noun.attributes.end(), [](const std::string& a) {
-    return one_of(a, {"round", "circular", "square", "hexagonal", "octagonal"});
-  });
+  return std::any_of(noun.attributes.begin(), noun.attributes.end(),
+                     [](const std::string& a) { return a == "square" || one_of(a, WordSet::kAllRound); });
 }
 
 // Which of the three sides "a 6-foot bookcase" speaks of: the longest that such a thing usually has.

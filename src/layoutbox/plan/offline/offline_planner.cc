@@ -4,6 +4,7 @@
 
 #include "layoutbox/base/utf8.h"
 #include "layoutbox/base/words.h"
+#include "layoutbox/catalog/normalize.h"
 #include "layoutbox/plan/offline/absent.h"
 #include "layoutbox/plan/offline/built_ins.h"
 #include "layoutbox/plan/offline/clusters.h"
@@ -178,7 +179,7 @@ class OfflinePlanner final : public Planner {
     return readings;
   }
 
-  static void build_objects(Document& document, SceneGraph& scene) {
+  void build_objects(Document& document, SceneGraph& scene) const {
     std::map<std::string, int> numbers;
     std::map<int, int> of_group, so_far;
     for (const TextItem& item : document.items) ++of_group[item.group];
@@ -205,10 +206,7 @@ class OfflinePlanner final : public Planner {
       guessed.push_back(item.noun.name);
       const std::string place = "prompt:" + std::to_string(document.tokens[item.noun.first].begin) + "-" +
                                 std::to_string(document.tokens[item.noun.last - 1].end);
-      scene.notes.push_back({"guessed",
-                             "\"" + item.noun.name + "\" is not in the catalogue" +
-                                 (item.noun.entry != nullptr ? ": taken for a kind of " + item.noun.entry->name : ""),
-                             place});
+      scene.notes.push_back(unknown_kind_note(item.noun.name, lexicon_.catalog().entry_or_nearest(item.noun.category), place));
     }
   }
 

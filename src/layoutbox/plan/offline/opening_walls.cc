@@ -4,6 +4,7 @@
 #include "layoutbox/catalog/opening_look.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
 #include "layoutbox/plan/offline/room_reader.h"
+#include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
 
@@ -144,7 +145,7 @@ std::pair<std::string, std::size_t> middle_said_at(const Lexicon& lexicon, const
   if (const Match wall = lexicon.find(document.tokens, i, Class::kWallWord); wall.length > 0) {
     word = meaning_of(wall, Class::kWallWord)->word;
     i += wall.length;
-  } else if (is(i, {"long", "longer", "short", "shorter", "narrow"})) {
+  } else if (says_one_of(document, i, WordSet::kLongOrShort)) {
     word = document.tokens[i++].text.starts_with("long") ? "long" : "short";
   }
   const bool wall = is(i, {"wall", "side", "end"});

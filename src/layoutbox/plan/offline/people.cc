@@ -8,6 +8,7 @@
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
 #include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
 namespace {
@@ -25,8 +26,7 @@ int seats_in(const Lexicon& lexicon, const std::string& attribute) {
   const std::size_t space = attribute.find_first_of("- ");
   if (space == std::string::npos) return 0;
   const std::string number = attribute.substr(0, space), rest = attribute.substr(space + 1);
-  static constexpr std::string_view kSeats[] = {"seater", "seat", "seats", "person", "people", "place", "top"};
-  if (std::find(std::begin(kSeats), std::end(kSeats), rest) == std::end(kSeats)) return 0;
+  if (!one_of(rest, WordSet::kSeatCounts)) return 0;
   const std::vector<Token> tokens = tokenize(number);
   if (tokens.empty()) return 0;
   if (tokens.front().kind == Token::Kind::kNumber) return static_cast<int>(std::clamp(tokens.front().number, 0.0, 1.0 * kMostPeople));
@@ -127,9 +127,9 @@ class PeopleReader {
       const NounPhrase noun = mention(seat).noun;
       if (!mention(seat).introduces || noun.kind != NounKind::kObject || !is_seat(catalog_, noun)) continue;
       const bool easy = noun.entry != nullptr && noun.entry->is(Trait::kEasySeat);  // "a lounge chair"
-      const bool upright = one_of(noun.head, {"chair", "stool", "bench", "barstool", "seat"}) && !easy;
+      const bool upright = one_of(noun.head, WordSet::kUprightSeats) && !easy;
       const bool here = at_table(seat, table);
-      if (!here && one_of(noun.head, {"stool", "barstool"}) && counter_named()) continue;  // "an island and four stools, a table for six"
+      if (!here && one_of(noun.head, WordSet::kStools) && counter_named()) continue;  // "an island and four stools, a table for six"
       if (!here && (!upright || belongs_elsewhere(seat, table) || one_of(noun.name, {"piano bench", "piano stool", "high chair"})))
         continue;
       constexpr int kOfBench = 3;  // sit on one
@@ -212,7 +212,7 @@ class PeopleReader {
       if (at_table(m, table)) {
         const bool one_each = host.entry->is(Trait::kDeskLike) || host.entry->is(Trait::kDesk) || host.entry->is(Trait::kCounter);
         const bool flanks =
-            catalog_.is_a(noun.entry->id, "chair") || noun.head == "bench" ||  // "long tables with benches"
+            noun.entry->is(Trait::kChair) || noun.head == "bench" ||  // "long tables with benches"
             (one_of(noun.head, {"stool", "barstool"}) && one_of(host.entry->id, {"table", "dining_table", "bistro_table", "bar_table"}));
         const bool at_sides = host.entry->is(Trait::kTable) && host.entry->used_sides.size() > 1 && flanks;
         tables = static_cast<int>(table.items.size()), places = one_each || !at_sides ? 1 : 2;
@@ -262,7 +262,7 @@ class PeopleReader {
       // A teacher's desk and a reception desk are none of those that everybody has.
       if (entry != nullptr && entry->is(Trait::kOpenToRoom) && !kind.is(Trait::kOpenToRoom)) continue;
       const bool rows = one.noun.rows > 0 && is_seat(catalog_, one.noun);  // "two rows of recliners" for whom a cinema is
-      const bool seats = rows || (catalog_.is_a(kind.id, "chair") && one_of(one.noun.head, {"chair", "stool", "bench", "seat"}));
+      const bool seats = rows || (kind.is(Trait::kChair) && one_of(one.noun.head, WordSet::kUprightSeats));
       if (both(Trait::kBed) || tables || seats || (entry != nullptr && catalog_.is_a(entry->id, kind.id))) return static_cast<int>(m);
     }
     return -1;

@@ -5,6 +5,7 @@
 
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/english.h"
+#include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
 namespace {
@@ -45,7 +46,6 @@ bool goes_on_with_thing(const std::vector<Chunk>& chunks, std::size_t k) {
 
 // "a place to fix bikes", "somewhere to watch the game": what one does there brings in nothing.
 void settle_activities(const Lexicon& lexicon, Document& document) {
-  static constexpr std::string_view kPlaces[] = {"place", "room", "space", "spot", "somewhere", "area", "corner", "nook"};
   std::vector<Chunk>& chunks = document.chunks;
   for (std::size_t k = 1; k < chunks.size(); ++k) {
     const std::size_t to = chunks[k].first;
@@ -64,7 +64,7 @@ void settle_activities(const Lexicon& lexicon, Document& document) {
         pass_over(document, chunks[k], "purpose");
       continue;
     }
-    if (!verb || std::find(std::begin(kPlaces), std::end(kPlaces), before) == std::end(kPlaces)) continue;
+    if (!verb || !one_of(before, WordSet::kSomePlace)) continue;
     for (; k < chunks.size() && chunks[k].kind != ChunkKind::kStop && chunks[k].kind != ChunkKind::kComma &&
            chunks[k].kind != ChunkKind::kHave && !goes_on_with_thing(chunks, k);
          ++k)
@@ -75,7 +75,6 @@ void settle_activities(const Lexicon& lexicon, Document& document) {
 // "I use a power chair", "a man in a wheelchair": what somebody comes with is not part of the room.
 void settle_aids(const Lexicon& lexicon, Document& document) {
   constexpr std::size_t kReach = 4;  // tokens between the person and the aid
-  static constexpr std::string_view kPersons[] = {"i", "we", "he", "she", "they", "who", "user"};
   static constexpr std::string_view kWith[] = {"use", "uses", "using", "need", "needs", "in", "has", "have", "with"};
   const auto is_one_of = [](const auto& words, const Token& token) { return std::ranges::find(words, token.text) != std::end(words); };
   for (Chunk& chunk : document.chunks) {
@@ -85,7 +84,8 @@ void settle_aids(const Lexicon& lexicon, Document& document) {
     for (std::size_t i = chunk.first; i-- > 0 && chunk.first - i <= kReach && !document.tokens[i].ends_sentence;) {
       const Token& token = document.tokens[i];
       with = with || is_one_of(kWith, token);
-      person = person || is_one_of(kPersons, token) || lexicon.is_person(token.text) || word_form(token.text) == WordForm::kPerson;
+      person =
+          person || one_of(token.text, WordSet::kPersons) || lexicon.is_person(token.text) || word_form(token.text) == WordForm::kPerson;
     }
     if (with && person) pass_over(document, chunk, "whom it is for");
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "layoutbox/plan/offline/noun_phrase.h"
+#include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
 
@@ -39,11 +40,7 @@ inline bool is_finite(std::string_view word) {
 }
 
 // "the dining area", "a reading nook": a part of the room.
-inline bool is_zone(std::string_view head) {
-  static constexpr std::string_view kZones[] = {"area",    "zone", "nook",    "setup",  "arrangement",
-                                                "section", "spot", "station", "corner", "set-up"};
-  return std::find(std::begin(kZones), std::end(kZones), head) != std::end(kZones);
-}
+inline bool is_zone(std::string_view head) { return one_of(head, WordSet::kZones); }
 
 inline bool is_new_here(const NounPhrase& noun) {
   return noun.determiner == Determiner::kIndefinite || noun.determiner == Determiner::kAnother || noun.count > 0;

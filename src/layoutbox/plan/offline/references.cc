@@ -4,17 +4,15 @@
 
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
 namespace {
 
 // "the shelf", "the top shelf": a part of what has shelves.
 bool is_own_shelf(const NounPhrase& noun) {
-  static constexpr std::string_view kWhich[] = {"shelf",       "top shelf",   "bottom shelf", "middle shelf",
-                                                "lower shelf", "upper shelf", "lowest shelf", "highest shelf"};
-  if (noun.determiner == Determiner::kPossessive && one_of(noun.head, {"shelf", "tier", "level", "board", "plank", "rung", "deck"}))
-    return true;
-  return std::find(std::begin(kWhich), std::end(kWhich), noun.name) != std::end(kWhich);
+  if (noun.determiner == Determiner::kPossessive && one_of(noun.head, WordSet::kShelfLevels)) return true;
+  return one_of(noun.name, WordSet::kOneShelf);
 }
 
 // No bed, sink or seat, whose mattress, bowl or seat carries as well.

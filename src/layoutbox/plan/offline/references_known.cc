@@ -5,6 +5,7 @@
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/offline/references.h"
+#include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
 namespace {
@@ -60,10 +61,7 @@ int References::fit(const NounPhrase& wanted, const NounPhrase& item) const {
   // "the captain's chair" is no pilot seat.
   const std::size_t owner = wanted.name.find("'s ");
   if (owner != std::string::npos && wanted.head != item.head && item.name.find(wanted.name.substr(0, owner)) == std::string::npos) return 0;
-  static constexpr std::string_view kOfIt[] = {"screen", "top", "surface", "area", "set"};
-  if (wanted.name.starts_with(item.name + " ") &&
-      std::find(std::begin(kOfIt), std::end(kOfIt), wanted.name.substr(item.name.size() + 1)) != std::end(kOfIt))
-    return 3;
+  if (wanted.name.starts_with(item.name + " ") && one_of(wanted.name.substr(item.name.size() + 1), WordSet::kPartsCalledAfter)) return 3;
   if (wanted.exact && item.exact && wanted.entry == item.entry) return 3;
   // "a console table … on the console": what no list has is short for what was named.
   if (!wanted.exact && wanted.determiner == Determiner::kDefinite && item.name.starts_with(wanted.name + " ")) return 2;

@@ -5,6 +5,7 @@
 #include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
 #include "layoutbox/plan/offline/room_reader.h"
+#include "layoutbox/plan/offline/word_sets.h"
 #include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox::offline {
@@ -302,9 +303,7 @@ void RelationBuilder::add_relations_to(const Link& link, const std::vector<int>&
 
 // "on its top shelf": in what has the shelf, on that one.
 void RelationBuilder::name_shelf(PhraseSense& sense, const NounPhrase& said, const NounPhrase& host) const {
-  if (sense.type != R::kOn || !one_of(said.head, {"shelf", "tier", "level", "board", "plank", "rung", "deck"}) || host.head == "shelf" ||
-      host.entry == nullptr)
-    return;
+  if (sense.type != R::kOn || !one_of(said.head, WordSet::kShelfLevels) || host.head == "shelf" || host.entry == nullptr) return;
   std::vector<std::string> shelves;
   bool inside = false;
   for (const SpaceFormula& space : host.entry->spaces) {

@@ -5,6 +5,7 @@
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
+#include "layoutbox/plan/offline/word_sets.h"
 #include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox::offline {
@@ -95,7 +96,7 @@ bool RelationBuilder::lie_on(const Link& link, const std::vector<int>& items, in
   const bool ends = words_between(document_, link.first, link.last).find("end") != std::string::npos;
   if (mount_of(carrier) != Mount::kFloor || carrier.entry == nullptr || !carrier.entry->top_carries ||
       !(is_table(catalog_, carrier) || is_storage(carrier) || ends || carrier.head == "mantel") || is_seat(catalog_, carrier) ||
-      one_of(carrier.head, {"bed", "sofa", "couch", "loveseat", "daybed", "crib"}))
+      one_of(carrier.head, WordSet::kLainOn))
     return false;
   return std::all_of(items.begin(), items.end(), [&](int item) {
     const std::vector<std::string>& qualities = noun_of_item(item).attributes;
@@ -135,9 +136,8 @@ void RelationBuilder::add_in_middle(const Link& link, const PhraseSense& sense, 
 // In a ring where nothing has sides; spread over the sides of a table.
 bool RelationBuilder::in_ring(const std::vector<int>& targets, const std::vector<int>& references) const {
   const NounPhrase& host = noun_of_item(references.front());
-  const bool round = std::any_of(host.attributes.begin(), host.attributes.end(), [](const std::string& a) {
-    return one_of(a, {"round", "circular", "oval", "hexagonal", "octagonal"});
-  });
+  const bool round = std::any_of(host.attributes.begin(), host.attributes.end(),
+                                 [](const std::string& a) { return a == "oval" || one_of(a, WordSet::kAllRound); });
   return (round || !is_table(catalog_, host)) && targets.size() >= 3 * references.size();
 }
 

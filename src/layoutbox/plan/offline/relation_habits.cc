@@ -6,6 +6,7 @@
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
+#include "layoutbox/plan/offline/word_sets.h"
 #include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox::offline {
@@ -100,9 +101,7 @@ void RelationBuilder::add_front() {
   if (std::none_of(scene_.relations.begin(), scene_.relations.end(), says_front_or_back)) return;
   for (const SceneObject& object : scene_.objects) {
     const NounPhrase& noun = noun_of_object(object);
-    if (!one_of(noun.head, {"whiteboard", "blackboard", "chalkboard", "board", "screen", "smartboard", "stage", "podium", "lectern",
-                            "altar", "pulpit", "projector screen"}))
-      continue;
+    if (!one_of(noun.head, WordSet::kLookedAtByClass)) continue;
     const auto looks = [&](const Relation& r) {
       return (r.type == R::kFacing || r.type == R::kSameOrientation) && !r.references.empty() && r.references.front() == object.id;
     };
@@ -172,10 +171,13 @@ void RelationBuilder::share_nightstand() {
   for (const SceneObject& object : scene_.objects) {
     const CatalogEntry* entry = catalog_.find(object.category);
     if (entry == nullptr) continue;
-    if (entry->is(Trait::kBed)) beds.push_back(object.id), kind = kind.empty() ? object.category : kind == object.category ? kind : "-";
-    if (catalog_.is_a(object.category, "nightstand")) stands.push_back(object.id);
+    if (entry->is(Trait::kBed)) {
+      beds.push_back(object.id);
+      kind = entry->is(Trait::kClimbedInto) ? "-" : kind.empty() ? object.category : kind == object.category ? kind : "-";
+    }
+    if (entry->is(Trait::kBedside)) stands.push_back(object.id);
   }
-  if (beds.size() != 2 || stands.size() != 1 || kind == "-" || kind == "bunk_bed") return;
+  if (beds.size() != 2 || stands.size() != 1 || kind == "-") return;
   const std::vector<std::size_t> own = relations_of(stands.front());
   const auto by_bed = [&](std::size_t r) {
     const Relation& relation = scene_.relations[r];

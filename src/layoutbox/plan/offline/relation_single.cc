@@ -5,6 +5,7 @@
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
 #include "layoutbox/plan/offline/room_reader.h"
+#include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
 
@@ -46,7 +47,7 @@ bool RelationBuilder::is_side_on(const Link& link, const PhraseSense& sense, con
   const bool bare =
       one_of(document_.tokens[std::min(link.first + 1, document_.tokens.size() - 1)].text, {"left", "right"});  // "on left of"
   const bool side_of = words.find("side") != std::string::npos || (document_.tokens[link.first].text == "on" && !bare);
-  const bool lies = is_seat(catalog_, host) || one_of(host.head, {"bed", "sofa", "couch", "loveseat", "armchair"});
+  const bool lies = is_seat(catalog_, host) || one_of(host.head, WordSet::kLainOn);
   return side_of && !lies && may_carry(catalog_, host, thing) && (mount_of(thing) == Mount::kSurface || thing.entry == nullptr) &&
          mount_of(host) != Mount::kSurface;
 }
@@ -285,16 +286,12 @@ std::vector<std::string> RelationBuilder::shared_walls(const NounPhrase& walls, 
 
 bool RelationBuilder::flanks(const NounPhrase& thing, const NounPhrase& host) const {
   if (thing.entry == nullptr || host.entry == nullptr) return false;
-  if (!one_of(host.head, {"bed", "sofa", "couch", "loveseat", "daybed"})) return false;
+  if (!one_of(host.head, WordSet::kLainOn)) return false;
   return stands_by(catalog_, thing, host);
 }
 
 bool RelationBuilder::holds_inside(const NounPhrase& host) const {
-  static constexpr std::string_view kClosed[] = {"cabinet",  "sideboard", "dresser", "cupboard",         "credenza", "buffet",
-                                                 "drawers",  "desk",      "table",   "counter",          "vanity",   "nightstand",
-                                                 "island",   "hutch",     "commode", "chest of drawers", "stand",    "console",
-                                                 "wardrobe", "bench",     "bed",     "washstand",        "ladder"};
-  if (std::find(std::begin(kClosed), std::end(kClosed), host.head) != std::end(kClosed)) return false;
+  if (one_of(host.head, WordSet::kClosedFurniture)) return false;
   return is_storage(host) && has_inside(host);
 }
 
@@ -307,8 +304,7 @@ bool RelationBuilder::has_inside(const NounPhrase& host) const {
 void RelationBuilder::add_look(const Link& link, R type, int item, int reference) {
   const NounPhrase &thing = noun_of_item(item), &other = noun_of_item(reference);
   const auto screen = [](const NounPhrase& n) {
-    return one_of(n.head, {"tv", "television", "screen", "monitor"}) || n.name.find("tv ") != std::string::npos ||
-           n.name.find("media") != std::string::npos;
+    return one_of(n.head, WordSet::kScreens) || n.name.find("tv ") != std::string::npos || n.name.find("media") != std::string::npos;
   };
   const bool seat = is_seat(catalog_, thing);
   const bool before =

@@ -14,9 +14,9 @@ using R = RelationType;
 // A hood of which nobody says where it hangs is over the fire.
 void RelationBuilder::hang_hoods() {
   for (const SceneObject& hood : scene_.objects) {
-    if (!catalog_.is_a(hood.category, "range_hood")) continue;
-    const auto fire = std::ranges::find_if(
-        scene_.objects, [&](const SceneObject& o) { return catalog_.is_a(o.category, "stove") || catalog_.is_a(o.category, "cooktop"); });
+    if (!catalog_.entry_or_nearest(hood.category).is(Trait::kHood)) continue;
+    const auto fire =
+        std::ranges::find_if(scene_.objects, [&](const SceneObject& o) { return catalog_.entry_or_nearest(o.category).is(Trait::kHob); });
     const std::vector<std::size_t>& own = relations_of(hood.id);
     const bool placed = std::ranges::any_of(own, [&](std::size_t r) {
       const Relation& relation = scene_.relations[r];
@@ -39,7 +39,7 @@ void RelationBuilder::lay_beds_along() {
   // Bunk beds are climbed into from the side: the other one is at the wall.
   const auto is_climbed_into = [&](const std::string& id) {
     const SceneObject* bed = object_of(id);
-    return bed != nullptr && (catalog_.is_a(bed->category, "bunk_bed") || catalog_.is_a(bed->category, "loft_bed"));
+    return bed != nullptr && catalog_.entry_or_nearest(bed->category).is(Trait::kClimbedInto);
   };
   for (Relation& r : scene_.relations) {
     const bool at_wall = r.type == R::kAgainstWall && r.targets.size() == 1 && is_climbed_into(r.targets[0]);

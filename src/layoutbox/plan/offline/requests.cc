@@ -5,6 +5,7 @@
 
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/token_reader.h"
+#include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
 namespace {
@@ -75,7 +76,7 @@ class RequestReader : public TokenReader {
     if (!is(i, {"find", "make", "leave", "reserve", "save", "keep", "have"})) return;
     std::size_t spot = i + 1;
     while (is(spot, {"a", "an", "some", "enough", "good", "nice", "suitable", "the"})) ++spot;
-    if (!is(spot, {"spot", "place", "room", "space", "home"})) return;
+    if (!is(spot, WordSet::kHomes)) return;
     if (is(spot + 1, {"for"}) && is_article(spot + 2)) {
       tokens_[i].text = "put";
       leave_out(i + 1, spot + 2);

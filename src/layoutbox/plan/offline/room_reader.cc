@@ -7,6 +7,7 @@
 #include "layoutbox/catalog/normalize.h"
 #include "layoutbox/catalog/opening_look.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
+#include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
 namespace {
@@ -16,20 +17,12 @@ using Class = WordClass;
 std::string room_type(const NounPhrase& noun) {
   if (noun.room != nullptr) return noun.room->id;
   // "gaming room", "this basement": the words themselves; "the room", "a space" say nothing.
-  static constexpr std::string_view kPlain[] = {"room",  "space", "interior", "layout",  "area",       "zone",     "place",
-                                                "house", "home",  "scene",    "setting", "floor plan", "floorplan"};
-  const bool plain = std::find(std::begin(kPlain), std::end(kPlain), noun.head) != std::end(kPlain);
+  const bool plain = one_of(noun.head, WordSet::kPlainRooms);
   if (!plain) return snake_case(noun.head);
   if (noun.head != "room") return {};
   const std::vector<std::string> words = words_of(noun.name);
-  static constexpr std::string_view kKinds[] = {
-      "gaming",   "game",        "play",      "laundry",    "music",   "media",   "tv",         "sun",      "guest",
-      "meeting",  "conference",  "class",     "waiting",    "storage", "utility", "craft",      "hotel",    "exam",
-      "locker",   "show",        "break",     "board",      "mud",     "powder",  "reading",    "exercise", "yoga",
-      "dressing", "theater",     "rec",       "recreation", "hobby",   "prayer",  "meditation", "server",   "staff",
-      "lunch",    "examination", "treatment", "hospital",   "dorm",    "tea",     "billiard",   "home"};
   for (std::size_t i = 0; i + 1 < words.size(); ++i) {
-    if (words[i + 1] == "room" && std::find(std::begin(kKinds), std::end(kKinds), words[i]) != std::end(kKinds)) return words[i] + "_room";
+    if (words[i + 1] == "room" && one_of(words[i], WordSet::kRoomKinds)) return words[i] + "_room";
   }
   return {};
 }

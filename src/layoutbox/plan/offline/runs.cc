@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "layoutbox/plan/offline/splice.h"
+#include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
 namespace {
@@ -69,11 +70,7 @@ class RunReader {
   }
 
   // What other things have of their own: a wardrobe shelf, a shower bench.
-  bool joins(std::size_t first, std::size_t end) const {
-    static constexpr std::string_view kOfOthers[] = {"table", "chair", "bench", "stool",   "cabinet", "shelf", "shelves",
-                                                     "stand", "rack",  "cart",  "trolley", "unit",    "bed",   "chairs"};
-    return end != first + 1 || std::ranges::find(kOfOthers, std::string_view(tokens_[first].text)) != std::end(kOfOthers);
-  }
+  bool joins(std::size_t first, std::size_t end) const { return end != first + 1 || one_of(tokens_[first].text, WordSet::kMadeOfOthers); }
 
   const Lexicon& lexicon_;
   const std::vector<Token>& tokens_;

@@ -3,6 +3,7 @@
 
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
 
@@ -42,9 +43,7 @@ bool allowed(const PhraseSense& sense, const NounPhrase& reference) {
 }
 
 // A table with a head and a foot.
-bool one_lies_on(const NounPhrase& noun) {
-  return noun.entry != nullptr && one_of(noun.entry->id, {"exam_table", "massage_table", "operating_table"});
-}
+bool one_lies_on(const NounPhrase& noun) { return noun.entry != nullptr && noun.entry->is(Trait::kLieOn); }
 
 // The sense that a phrase has between these two.
 class SenseChooser {
@@ -145,7 +144,7 @@ class SenseChooser {
     }
     // "at the far end of the bench": on it, or by it.
     // "on the left half of the tabletop", "takes up the right third"
-    const bool share = one_of(head, {"half", "third", "part", "portion", "section", "quarter"});
+    const bool share = one_of(head, WordSet::kShares);
     if (share && one_of(reference_.wall_word, {"left", "right", "front", "back"}) && mount_of(target_) == Mount::kSurface)
       return on_part(ThingPart(reference_.wall_word));
     const NounPhrase* whole = reference_.of && reference_.of->kind == NounKind::kObject ? reference_.of.get() : nullptr;
@@ -157,7 +156,7 @@ class SenseChooser {
     if (head == "headboard" && says(R::kAbove)) return own(R::kAbove);
     if (head == "head" || head == "headboard") return own(R::kAtHeadOf);
     if (head == "side" || head == "edge") return at_side();
-    if (one_of(head, {"top", "surface", "tabletop", "lid"}) && says_any({R::kOn, R::kIn, R::kCenterOfRoom})) return own(R::kOn);
+    if (one_of(head, WordSet::kTops) && says_any({R::kOn, R::kIn, R::kCenterOfRoom})) return own(R::kOn);
     return std::nullopt;
   }
 
@@ -223,8 +222,7 @@ class SenseChooser {
   // "books spill over the table": what does not hang lies on it.
   bool lies_over() const {
     return mount_of(target_) == Mount::kSurface && reference_.kind == NounKind::kObject && !is_lamp(catalog_, target_) &&
-           one_of(target_.head, {"book", "magazine", "toy", "brick", "cushion", "pillow", "cloth", "towel", "paper", "blanket", "throw"}) &&
-           may_carry(catalog_, reference_, target_);
+           one_of(target_.head, WordSet::kLaidThings) && may_carry(catalog_, reference_, target_);
   }
 
   // A lamp is over the table, a cloth on it; "at the end of the table" and "at the end of the bed" are two things.
@@ -246,8 +244,7 @@ class SenseChooser {
 int suits_on_wall(const Catalog& catalog, const NounPhrase& target) {
   const Mount mount = mount_of(target);
   if (mount == Mount::kWall) return 2;
-  const bool stands =
-      is_table(catalog, target) || is_seat(catalog, target) || one_of(target.head, {"bed", "sofa", "couch", "dresser", "wardrobe"});
+  const bool stands = is_table(catalog, target) || is_seat(catalog, target) || one_of(target.head, WordSet::kBigFurniture);
   return mount == Mount::kFloor && target.entry != nullptr && (stands || target.entry->thin) ? 0 : 1;
 }
 
@@ -265,7 +262,7 @@ int suits_above(const Catalog& catalog, const NounPhrase& target, const NounPhra
   // "a dispenser on the counter, lanterns from the ceiling above it": above the counter
   if (mount == Mount::kCeiling && reference.kind == NounKind::kObject && mount_of(reference) == Mount::kSurface) return 0;
   if (mount == Mount::kWall || mount == Mount::kCeiling || is_lamp(catalog, target)) return 2;
-  if (one_of(target.head, {"tv", "television", "screen", "monitor", "speaker"})) return 1;  // may hang
+  if (one_of(target.head, WordSet::kMayHang)) return 1;  // may hang
   return mount == Mount::kSurface ? 0 : 1;
 }
 

@@ -5,6 +5,7 @@
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
+#include "layoutbox/plan/offline/word_sets.h"
 #include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox::offline {
@@ -32,8 +33,7 @@ double area_of(const NounPhrase& noun) {
 
 // "a bottle next to a box of dryer sheets": what stands on the floor by itself, and beside a small thing where that stands.
 bool is_light_box(const NounPhrase& noun) {
-  return mount_of(noun) == Mount::kFloor && noun.entry != nullptr && area_of(noun) <= kSmallArea &&
-         one_of(noun.head, {"box", "basket", "case", "container", "carton", "tin", "crate"});
+  return mount_of(noun) == Mount::kFloor && noun.entry != nullptr && area_of(noun) <= kSmallArea && one_of(noun.head, WordSet::kLightBoxes);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "layoutbox/plan/offline/lexicon.h"
+#include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
 
@@ -22,6 +23,7 @@ class TokenReader {
   bool is(std::size_t at, Words words) const {
     return at < tokens_.size() && std::ranges::find(words, std::string_view(tokens_[at].text)) != words.end();
   }
+  bool is(std::size_t at, WordSet set) const { return at < tokens_.size() && one_of(tokens_[at].text, set); }
   // All of them do, one after the other.
   bool are(std::size_t at, Words words) const {
     for (const std::string_view word : words) {

@@ -10,6 +10,7 @@
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
 #include "layoutbox/plan/offline/people.h"
+#include "layoutbox/plan/offline/word_sets.h"
 #include "layoutbox/scene/shell.h"
 
 namespace layoutbox::offline {
@@ -203,7 +204,6 @@ class Furnisher {
 
 // "a spot to brew beer", "somewhere to rehearse with my quartet": all that is named belongs to what one does there.
 bool only_says_what_for(const Lexicon& lexicon, const Document& document) {
-  static constexpr std::string_view kOpen[] = {"somewhere", "anywhere", "something", "place", "spot", "space", "room"};
   static constexpr std::string_view kFor[] = {"to", "where", "for"};
   constexpr std::size_t kOpening = 6;
   const auto is_any = [&](std::size_t i, const auto& words) {
@@ -213,7 +213,7 @@ bool only_says_what_for(const Lexicon& lexicon, const Document& document) {
   while (at < std::min(kOpening, document.tokens.size()) && !is_any(at, kFor)) ++at;
   if (at == 0 || at >= std::min(kOpening, document.tokens.size())) return false;
   bool opens = false, suggested = false;
-  for (std::size_t i = 0; i < at; ++i) opens |= is_any(i, kOpen);
+  for (std::size_t i = 0; i < at; ++i) opens |= one_of(document.tokens[i].text, WordSet::kSomewhere);
   for (std::size_t i = at; i < document.tokens.size(); ++i) suggested |= lexicon.room_suggested(document.tokens, i).second > 0;
   // "a room for sleep. The bed is near the door", "a room for my grandfather: recliner, TV": what is said after it is asked for.
   static constexpr std::string_view kAfter[] = {":", "with", "-", "(", "including"};

@@ -4,6 +4,7 @@
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/offline/word_sets.h"
 #include "layoutbox/plan/reading/decoder.h"
 #include "layoutbox/plan/reading/weights.h"
 
@@ -266,7 +267,7 @@ double Decoder::list_kind_score(const State& state, int member, int u, std::size
   if (carried && (before || mount_of(noun) == Mount::kSurface))
     return mount_of(noun) == Mount::kFloor && mount_of(former) != Mount::kFloor ? 0.2 : weight::kCarriedToo;
   if (is_table(lexicon_.catalog(), host) && is_seat(lexicon_.catalog(), noun)) {
-    if (one_of(noun.head, {"sofa", "couch", "loveseat", "ottoman", "recliner"})) return weight::kNotCarried;
+    if (one_of(noun.head, WordSet::kHeavySeats)) return weight::kNotCarried;
     return (joiner == Joiner::kAnd || (joiner == Joiner::kCommaAnd && length > 1)) && !has_own_place(u) ? 0.6 : -0.6;
   }
   if (is_new_thing(noun) && !may_come_with(host, noun) && !has_own_place(u)) return weight::kNotWithEach;

@@ -2,6 +2,7 @@
 // "Nobody will weigh the labrador" does nothing of that.
 #include <algorithm>
 
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/reading/scribe.h"
@@ -43,8 +44,8 @@ bool Scribe::is_listed(int u) const {
 
 // An animal, which may be spoken of without being part of the room; a toy or a statue of one is a thing.
 bool Scribe::is_living(const NounPhrase& noun) const {
-  if (noun.entry != nullptr && lexicon_.catalog().is_a(noun.entry->id, "pet")) return true;
-  const bool farm = noun.entry != nullptr && one_of(noun.entry->id, {"bird", "horse", "cow", "sheep", "hen"});
+  if (noun.entry != nullptr && noun.entry->is(Trait::kPet)) return true;
+  const bool farm = noun.entry != nullptr && noun.entry->is(Trait::kAnimal);
   if (farm && noun.name == noun.head && noun_form(noun.head) == WordForm::kBody) return true;
   return !noun.exact && noun_form(noun.head) == WordForm::kBody && noun.attributes.empty() && noun.name == noun.head;
 }

@@ -3,6 +3,7 @@
 
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/offline/word_sets.h"
 #include "layoutbox/plan/reading/scribe.h"
 
 namespace layoutbox::offline {
@@ -230,11 +231,8 @@ bool Scribe::takes_other_side(const std::vector<int>& targets) {
 
 // "a rack of dumbbells": the dumbbells are on it.
 void Scribe::add_named_contents(int u, int host) {
-  static constexpr std::string_view kOpen[] = {"rack",   "crate", "basket",  "shelf", "tray",
-                                               "bucket", "cart",  "trolley", "vase",  "bookshelf"};
   const NounPhrase& noun = chunk(u).noun;
-  if (noun.contents == nullptr || !is_thing(host) || !mention_at(host).introduces ||
-      std::find(std::begin(kOpen), std::end(kOpen), noun_of(host).head) == std::end(kOpen))
+  if (noun.contents == nullptr || !is_thing(host) || !mention_at(host).introduces || !one_of(noun_of(host).head, WordSet::kStorageOf))
     return;
   const NounPhrase things = *noun.contents;
   if (!may_carry(lexicon_.catalog(), noun_of(host), things)) return;
@@ -293,8 +291,7 @@ int Scribe::last_great_thing(const std::vector<int>& but) const {
     if (!is_thing(m) || contains(but, m)) return false;
     const NounPhrase& noun = noun_of(m);
     if (noun.kind != NounKind::kObject || mount_of(noun) != Mount::kFloor || (noun.entry != nullptr && noun.entry->thin)) return false;
-    return is_heavy(lexicon_.catalog(), noun) &&
-           (!is_seat(lexicon_.catalog(), noun) || one_of(noun.head, {"sofa", "couch", "loveseat", "daybed"}));
+    return is_heavy(lexicon_.catalog(), noun) && (!is_seat(lexicon_.catalog(), noun) || one_of(noun.head, WordSet::kSofas));
   };
   if (great(so_far_.topic)) return so_far_.topic;
   for (const int root : so_far_.roots) {

@@ -3,6 +3,7 @@
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/offline/word_sets.h"
 #include "layoutbox/plan/reading/weights.h"
 
 namespace layoutbox::offline {
@@ -15,7 +16,7 @@ double SenseScore::of_place(const PhraseSenses& senses, const NounPhrase& target
   if (!may_refer(catalog_, senses, target, reference))
     score += stands_beside(sense->type) && mount_of(reference) != Mount::kCeiling ? weight::kNotBeside : weight::kNoReference;
   if (sense->type == RelationType::kOn) score += on_top(target, reference);
-  if (reference.entry != nullptr && catalog_.is_a(reference.entry->id, "pet")) score += weight::kByAnimal;
+  if (reference.entry != nullptr && reference.entry->is(Trait::kPet)) score += weight::kByAnimal;
   if (stands_beside(sense->type) && is_seat(catalog_, target) && is_table(catalog_, reference)) score += weight::kSeatByTable;
   if (sense->type == RelationType::kOpposite && reference.entry != nullptr && reference.entry->is(Trait::kStandsBefore) &&
       !is_seat(catalog_, target))
@@ -53,7 +54,7 @@ double SenseScore::on_top(const NounPhrase& target, const NounPhrase& reference)
   double score = 0;
   if (small_host(reference)) score += weight::kSmallHost;
   if (on_soft(reference, target)) score += weight::kSoftHost;
-  if (one_of(reference.head, {"basket", "bucket", "bin", "cage", "jar", "bowl", "tub"})) score += weight::kSmallHost;  // in it, not on it
+  if (one_of(reference.head, WordSet::kSmallVessels)) score += weight::kSmallHost;  // in it, not on it
   if (has_hooks(reference) && is_textile(catalog_, target)) score += weight::kHungOnHook;
   return score;
 }
@@ -83,7 +84,7 @@ double SenseScore::over(const NounPhrase& target, const NounPhrase& reference) c
   const bool small = mount_of(reference) == Mount::kSurface;  // "a vase on it, a painting above": over what carries the vase
   if (mount_of(target) == Mount::kWall && (narrow || small)) score += weight::kOverSeat;
   // Seats and tables stand under things, not over them.
-  const bool chest = one_of(target.head, {"dresser", "wardrobe", "sideboard", "drawers", "bed", "sofa", "couch", "desk"});
+  const bool chest = one_of(target.head, WordSet::kNeverAbove);
   if (is_seat(catalog_, target) || chest || (is_table(catalog_, target) && mount_of(target) == Mount::kFloor)) score += weight::kUnlikely;
   return score;
 }
@@ -92,26 +93,20 @@ double SenseScore::over(const NounPhrase& target, const NounPhrase& reference) c
 bool SenseScore::is_chair(const NounPhrase& noun) const { return is_seat(catalog_, noun) && one_of(noun.head, {"chair", "stool"}); }
 
 bool SenseScore::on_soft(const NounPhrase& host, const NounPhrase& thing) const {
-  const bool soft = one_of(host.head, {"bed", "sofa", "couch", "loveseat", "daybed", "crib"}) ||
-                    (is_seat(catalog_, host) && !one_of(host.head, {"bench", "stool", "barstool", "ottoman", "pouf"}));
+  const bool soft = one_of(host.head, WordSet::kLainOn) || (is_seat(catalog_, host) && !one_of(host.head, WordSet::kHardSeats));
   return soft && thing.kind == NounKind::kObject && !is_textile(catalog_, thing);
 }
 
 bool SenseScore::small_host(const NounPhrase& host) const {
-  if (one_of(host.head, {"computer", "pc", "monitor", "tv", "television", "laptop", "lamp", "keyboard", "mouse", "clock", "screen", "fan"}))
-    return true;
-  const bool carries =
-      one_of(host.head, {"tray", "board",    "mat",  "pad",   "plate",    "platter", "stand", "coaster",    "book", "saucer", "shelf",
-                         "rack", "placemat", "base", "riser", "pedestal", "runner",  "cloth", "tablecloth", "pile", "stack"});
+  if (one_of(host.head, WordSet::kCarriesNothing)) return true;
+  const bool carries = one_of(host.head, WordSet::kSmallHosts);
   return host.kind == NounKind::kObject && host.entry != nullptr && mount_of(host) == Mount::kSurface && !is_storage(host) && !carries;
 }
 
 double SenseScore::of_part(const NounPhrase& part, const NounPhrase& owner) const {
   if (owner.kind != NounKind::kObject) return 0;
-  const auto is_kind = [&](std::initializer_list<std::string_view> heads) { return one_of(owner.head, heads); };
   const std::string& head = part.head;
-  const bool desk = is_kind({"desk", "workstation", "vanity"}),
-             counter = is_kind({"counter", "island", "countertop", "kitchenette", "bar"});
+  const bool desk = one_of(owner.head, WordSet::kDesks), counter = one_of(owner.head, WordSet::kCounters);
   if (head == "tabletop")
     return is_table(catalog_, owner) && !desk && !counter ? weight::kOwnPart : is_table(catalog_, owner) ? 0.5 : weight::kNotItsPart;
   if (head == "desktop" || head == "worktop") return desk ? weight::kOwnPart : is_table(catalog_, owner) ? 0.5 : weight::kNotItsPart;
@@ -121,7 +116,8 @@ double SenseScore::of_part(const NounPhrase& part, const NounPhrase& owner) cons
     return flat ? 0.8 : weight::kNotItsPart / 2;
   }
   if (one_of(head, {"cushion", "armrest", "backrest"})) return is_seat(catalog_, owner) ? weight::kOwnPart : weight::kNotItsPart;
-  if (one_of(head, {"headboard", "pillow", "mattress"})) return is_kind({"bed", "daybed", "crib"}) ? weight::kOwnPart : weight::kNotItsPart;
+  if (one_of(head, {"headboard", "pillow", "mattress"}))
+    return one_of(owner.head, {"bed", "daybed", "crib"}) ? weight::kOwnPart : weight::kNotItsPart;
   return 0;
 }
 

@@ -3,9 +3,11 @@
 #include <string_view>
 #include <utility>
 
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/offline/word_sets.h"
 #include "layoutbox/plan/reading/unit_reader.h"
 
 namespace layoutbox::offline {
@@ -42,7 +44,7 @@ bool UnitReader::says_what_is_there(std::size_t first, std::size_t last) const {
     // "so a table for eight": whom it is for comes after the thing.
     told = told || is_person(c) || (is(c, ChunkKind::kPurpose) && !thing) || is(c, ChunkKind::kUnknown);
     const bool known = is(c, ChunkKind::kNoun) && chunk(c).noun.kind == NounKind::kObject && chunk(c).noun.entry != nullptr &&
-                       !lexicon_.catalog().is_a(chunk(c).noun.entry->id, "pet");
+                       !chunk(c).noun.entry->is(Trait::kPet);
     if (!known || (!chunk(c).noun.exact && c != first)) continue;
     const std::size_t n = next(c);
     const bool placed = n < last && (is(n, ChunkKind::kRelation) || is(n, ChunkKind::kParticiple) || is(n, ChunkKind::kVerb));
@@ -98,8 +100,7 @@ bool UnitReader::does_it_there(std::size_t k) const {
   if (!doing_ || !is(n, ChunkKind::kNoun) || chunk(k).phrase.length > 2) return false;
   const NounPhrase& noun = chunk(n).noun;
   if (noun.kind != NounKind::kObject || noun.entry == nullptr || (noun.determiner == Determiner::kNone && noun.count == 0)) return false;
-  return noun.entry->mount == Mount::kFloor && !lexicon_.catalog().is_a(noun.entry->id, "pet") &&
-         has_direction(*chunk(k).phrase.senses, Direction::kDirect);
+  return noun.entry->mount == Mount::kFloor && !noun.entry->is(Trait::kPet) && has_direction(*chunk(k).phrase.senses, Direction::kDirect);
 }
 
 // A known kind of thing, not what is done to it or with it.
@@ -161,7 +162,7 @@ bool UnitReader::is_said_of_subject(std::size_t k) {
     return !(noun.exact && (noun.count > 1 || (listed && document_.rooms.empty())));  // "it's eight washers down one wall"
   // "the centerpiece is a piano" names the piano, and so does "the furniture is a piano".
   if (what.kind != NounKind::kObject || !what.exact || (noun.count > 1 && !what.plural)) return false;
-  const bool generic = one_of(what.head, {"furniture", "object", "item", "piece", "seating", "storage", "decoration"});
+  const bool generic = one_of(what.head, WordSet::kAnyFurniture);
   const bool of_kind = noun.exact && noun.entry != what.entry && lexicon_.catalog().is_a(noun.entry->id, what.entry->id);
   if ((generic || of_kind) && noun.exact && !is_named_before(subject.chunk, what.head)) {
     const NounPhrase said = what;
@@ -233,7 +234,7 @@ bool UnitReader::is_used_in_place(std::size_t k) const {
   const NounPhrase& noun = chunk(k).noun;
   const std::size_t by = next(next(k));
   return noun.kind == NounKind::kObject && noun.exact && noun.determiner == Determiner::kDefinite && !lexicon_.is_person(noun.head) &&
-         !lexicon_.catalog().is_a(noun.entry->id, "pet") && is(next(k), ChunkKind::kRelation) && is(by, ChunkKind::kNoun) &&
+         !noun.entry->is(Trait::kPet) && is(next(k), ChunkKind::kRelation) && is(by, ChunkKind::kNoun) &&
          (chunk(by).noun.determiner == Determiner::kDefinite || chunk(by).noun.kind == NounKind::kPronoun);
 }
 
@@ -281,7 +282,7 @@ bool UnitReader::announces_things(std::size_t k) const {
       is(named, ChunkKind::kNoun) && is_new_here(chunk(named).noun))
     return true;
   if (noun.count > 0 || noun.determiner != Determiner::kNone || !units_.empty() || noun.name != noun.head) return false;
-  const bool alone = one_of(noun.head, {"decor", "decoration", "furniture", "furnishing", "storage", "seating", "lighting"});
+  const bool alone = one_of(noun.head, WordSet::kHeadings);
   const bool ends = is(n, ChunkKind::kStop) || (is(n, ChunkKind::kComma) && document_.tokens[chunk(n).first].text == ":");
   if (object && alone && ends) return true;
   const bool things = object && noun.plural && (is_collective(noun.head) || noun.head == "thing");
@@ -314,7 +315,7 @@ bool UnitReader::is_figure(std::size_t k) const {
     const PhraseSenses& senses = *chunk(place).phrase.senses;
     const NounPhrase& by = chunk(host).noun;
     return (says(senses, RelationType::kOn) || says(senses, RelationType::kIn)) && by.kind == NounKind::kObject && !by.entry->thin &&
-           !is_seat(lexicon_.catalog(), by) && !lexicon_.catalog().is_a(by.entry->id, "bed");
+           !is_seat(lexicon_.catalog(), by) && !by.entry->is(Trait::kBed);
   };
   const std::size_t n = next(k);
   if (holds(is(n, ChunkKind::kVerb) ? next(n) : n, next(is(n, ChunkKind::kVerb) ? next(n) : n))) return true;
@@ -329,7 +330,7 @@ bool UnitReader::is_addressed(std::size_t k) const {
   const bool ends = is(next(k), ChunkKind::kComma) || is(next(k), ChunkKind::kStop);
   if (!ends || !units_.empty() || noun.count > 0) return false;
   const std::size_t first = chunk(k).first;
-  const auto greets = [&](std::size_t i) { return one_of(document_.tokens[i].text, {"dear", "hello", "hi", "hey", "greetings"}); };
+  const auto greets = [&](std::size_t i) { return one_of(document_.tokens[i].text, WordSet::kGreetings); };
   return (greets(first) && noun.last > first + 1) || (first > 0 && greets(first - 1));
 }
 

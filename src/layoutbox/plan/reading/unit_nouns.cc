@@ -5,6 +5,7 @@
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/word_sets.h"
 #include "layoutbox/plan/reading/unit_reader.h"
 
 namespace layoutbox::offline {
@@ -66,8 +67,8 @@ bool UnitReader::says_room_seats(std::size_t k) {
     return false;
   // "a sofa (3 seats)": how long it is
   const bool own = !units_.empty() && units_.back().kind == UnitKind::kNoun && previous(previous(k)) == units_.back().chunk &&
-                   one_of(chunk(units_.back().chunk).noun.head, {"sofa", "couch", "settee", "bench"}) && k > 0 &&
-                   is(k - 1, ChunkKind::kComma) && document_.tokens[chunk(k - 1).first].text != ",";
+                   one_of(chunk(units_.back().chunk).noun.head, WordSet::kSeatsForSeveral) && k > 0 && is(k - 1, ChunkKind::kComma) &&
+                   document_.tokens[chunk(k - 1).first].text != ",";
   if (own) {
     mark(k, Use::kUsed, "size");
     return true;

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/word_sets.h"
 #include "layoutbox/plan/reading/unit_reader.h"
 
 namespace layoutbox::offline {
@@ -92,8 +93,7 @@ void UnitReader::repeat_owner(std::size_t k) {
 // "the pair stands by the door", "a rug under the group": those that were named.
 void UnitReader::mean_group(std::size_t k) {
   NounPhrase& noun = document_.chunks[k].noun;
-  const bool group = one_of(noun.head, {"pair", "duo", "trio", "quartet", "foursome", "group", "grouping", "ensemble", "lot", "whole",
-                                        "bunch", "cluster", "arrangement"});
+  const bool group = one_of(noun.head, WordSet::kGroupNames);
   if (!group || noun.kind == NounKind::kPronoun || noun.of || noun.contents || !noun.attributes.empty() ||
       noun.name.find(" of ") != std::string::npos || noun.determiner != Determiner::kDefinite || noun.last - noun.first > 2)
     return;
@@ -116,8 +116,7 @@ void UnitReader::mean_twin(std::size_t k) {
       !is(previous(k), ChunkKind::kStop))
     return;
   const std::string& last = document_.tokens[chunk(k).last - 1].text;
-  const bool twin = noun.determiner == Determiner::kPossessive && noun.last - noun.first <= 3 &&
-                    one_of(last, {"twin", "counterpart", "mate", "match", "double", "partner", "pendant", "sibling", "equal", "copy"});
+  const bool twin = noun.determiner == Determiner::kPossessive && noun.last - noun.first <= 3 && one_of(last, WordSet::kTwins);
   const std::size_t n = next(k);
   const bool same =
       last == "same" && noun.determiner == Determiner::kDefinite && noun.kind == NounKind::kAbstract && is(n, ChunkKind::kRelation);

@@ -5,6 +5,7 @@
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/offline/word_sets.h"
 #include "layoutbox/plan/reading/unit_reader.h"
 
 namespace layoutbox::offline {
@@ -125,8 +126,8 @@ bool UnitReader::place_after_purpose(std::size_t k) const {
   const bool place = is(n, ChunkKind::kNoun) && (chunk(n).noun.kind == NounKind::kObject || chunk(n).noun.kind == NounKind::kWindow ||
                                                  chunk(n).noun.kind == NounKind::kDoor || chunk(n).noun.kind == NounKind::kCorner);
   if (!place || chunk(n).noun.determiner != Determiner::kDefinite) return false;
-  const bool light = is(p, ChunkKind::kNoun) && chunk(p).noun.determiner == Determiner::kDefinite &&
-                     one_of(chunk(p).noun.head, {"light", "sun", "sunlight", "sunshine", "view", "warmth", "breeze", "shade"});
+  const bool light =
+      is(p, ChunkKind::kNoun) && chunk(p).noun.determiner == Determiner::kDefinite && one_of(chunk(p).noun.head, WordSet::kFromOutside);
   if (!light && (!is(p, ChunkKind::kNoun) || chunk(p).noun.kind != NounKind::kAbstract)) return false;
   if (chunk(p).noun.determiner == Determiner::kIndefinite && !is_zone(chunk(p).noun.head))
     return false;  // "forms a sitting area on the rug"
@@ -277,17 +278,15 @@ bool UnitReader::names_contents(std::size_t k) const {
   const std::string& word = document_.tokens[chunk(k).first].text;
   const NounPhrase &host = chunk(before).noun, &thing = chunk(n).noun;
   if (word == "for") {
-    static constexpr std::string_view kOpen[] = {"shelf",     "rack",     "basket",    "bin",   "box",  "crate",
-                                                 "bookshelf", "bookcase", "organizer", "cubby", "chest"};
-    return host.kind == NounKind::kObject && std::find(std::begin(kOpen), std::end(kOpen), host.head) != std::end(kOpen) &&
-           !is(next(n), ChunkKind::kRelation) && thing.kind == NounKind::kObject && thing.exact && thing.plural &&
-           thing.determiner == Determiner::kNone && thing.count == 0 && mount_of(thing) == Mount::kSurface;
+    return host.kind == NounKind::kObject && one_of(host.head, WordSet::kStorageFor) && !is(next(n), ChunkKind::kRelation) &&
+           thing.kind == NounKind::kObject && thing.exact && thing.plural && thing.determiner == Determiner::kNone && thing.count == 0 &&
+           mount_of(thing) == Mount::kSurface;
   }
   // "the left wall takes two bookcases"
-  const bool takes = one_of(word, {"takes", "take", "gets", "get", "receives", "receive", "carry", "carries", "bears"});
+  const bool takes = one_of(word, WordSet::kTaking);
   if (takes && (host.kind == NounKind::kWall || host.kind == NounKind::kCorner || host.kind == NounKind::kObject))
     return thing.kind == NounKind::kObject && (thing.determiner == Determiner::kIndefinite || thing.count > 0) && !is_person(before);
-  const bool shows = one_of(word, {"offers", "offer", "provides", "provide", "offering", "providing", "enjoys"});
+  const bool shows = one_of(word, WordSet::kOffering);
   // "the table offers five magazines", but no lamp "offers light"
   const bool lies =
       thing.kind == NounKind::kObject && (thing.exact || thing.count > 0) && mount_of(thing) == Mount::kSurface && is_new_here(thing);
@@ -357,7 +356,7 @@ void UnitReader::seat_so_many(NounPhrase& tables, int people) const {
   constexpr int kAtATable = 4, kAtALargeOne = 6;
   tables.seats = people;
   if (tables.count > 0 || !tables.plural || tables.determiner == Determiner::kDefinite) return;
-  const bool desks = tables.entry != nullptr && lexicon_.catalog().is_a(tables.entry->id, "desk");
+  const bool desks = tables.entry != nullptr && tables.entry->is(Trait::kDesk);
   if (!desks && people <= kAtALargeOne) {  // "tables for two": for two each, as many as the room's guests need
     const auto are_tables = [&](const Chunk& c) {
       return c.kind == ChunkKind::kNoun && c.noun.kind == NounKind::kObject && c.noun.plural && is_table(lexicon_.catalog(), c.noun);

@@ -6,6 +6,7 @@
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/word_sets.h"
 #include "layoutbox/plan/reading/unit_reader.h"
 
 namespace layoutbox::offline {
@@ -57,15 +58,13 @@ void UnitReader::mean_end_of_room(std::size_t k) {
   NounPhrase& noun = document_.chunks[k].noun;
   const bool owned = owner_ < document_.chunks.size();  // "the bed's far side"
   if (owned || !after_place() || (noun.kind != NounKind::kPart && noun.kind != NounKind::kAbstract) ||
-      !one_of(noun.head, {"side", "end", "edge", "back", "front", "perimeter"}))
+      !one_of(noun.head, WordSet::kRoomEnds))
     return;
   const bool of_room = noun.of && noun.of->kind == NounKind::kRoom;
   const bool behind = (noun.head == "back" || noun.head == "front") && noun.determiner == Determiner::kDefinite &&
                       says(units_.back().direct, RelationType::kAgainstWall);  // "along the back"
   // "along one long side", "in the middle of the short end"
-  const bool of_length = std::ranges::any_of(noun.attributes, [](const std::string& word) {
-    return one_of(word, {"long", "longer", "longest", "short", "shorter", "shortest", "narrow"});
-  });
+  const bool of_length = std::ranges::any_of(noun.attributes, [](const std::string& word) { return one_of(word, WordSet::kLongOrShort); });
   if (!of_room && (noun.of || noun.determiner == Determiner::kPossessive || (noun.wall_word.empty() && !behind && !of_length) ||
                    noun.head == "edge" || !stands_in_room(k)))
     return;
@@ -214,14 +213,11 @@ bool UnitReader::stands_in_room(std::size_t k) const {
 // "in front of the glass" is before the window, "the nook under the stairs" is no staircase: what rooms have, where it was not named.
 void UnitReader::mean_fabric(std::size_t k) {
   NounPhrase& noun = document_.chunks[k].noun;
-  const bool shines =
-      one_of(noun.head, {"light", "sun", "sunlight", "sunshine", "glow", "daylight"}) && noun.determiner == Determiner::kDefinite;
+  const bool shines = one_of(noun.head, WordSet::kDaylight) && noun.determiner == Determiner::kDefinite;
   // "Cold light enters through the window"
   const std::size_t verb = next(k);
-  const bool falls = one_of(noun.head, {"light", "sun", "sunlight", "sunshine", "daylight", "moonlight"}) && noun.count == 0 &&
-                     verb < document_.chunks.size() && chunk(verb).kind != ChunkKind::kNoun &&
-                     one_of(document_.tokens[chunk(verb).first].text,
-                            {"enters", "falls", "pours", "streams", "floods", "filters", "slants", "comes", "spills", "seeps", "shines"});
+  const bool falls = one_of(noun.head, WordSet::kDaylight) && noun.count == 0 && verb < document_.chunks.size() &&
+                     chunk(verb).kind != ChunkKind::kNoun && one_of(document_.tokens[chunk(verb).first].text, WordSet::kLightComes);
   if (falls) noun.kind = NounKind::kAbstract;
   // "near the balcony": by its glass door
   const bool by = after_place() && (says(units_.back().direct, RelationType::kNear) || says(units_.back().direct, RelationType::kNextTo) ||
@@ -252,9 +248,7 @@ void UnitReader::mean_thing_of_zone(std::size_t k) {
   NounPhrase& noun = document_.chunks[k].noun;
   const bool zone = noun.kind == NounKind::kCorner || noun.kind == NounKind::kAbstract || noun.kind == NounKind::kRoom;
   const bool anew = noun.determiner == Determiner::kIndefinite || (noun.determiner == Determiner::kNone && joiner_ != Joiner::kNone);
-  if (!zone || !anew || after_place() || noun.room != nullptr || noun.last < noun.first + 2 ||
-      !one_of(noun.head, {"corner", "area", "zone", "nook", "spot"}))
-    return;
+  if (!zone || !anew || after_place() || noun.room != nullptr || noun.last < noun.first + 2 || !one_of(noun.head, WordSet::kNooks)) return;
   const Match match = lexicon_.find(document_.tokens, noun.last - 2, WordClass::kObject);
   const auto thing =
       std::ranges::find_if(match.meanings, [](const Meaning& m) { return m.word_class == WordClass::kObject && m.entry != nullptr; });
@@ -281,9 +275,7 @@ void UnitReader::mean_fire(std::size_t k) {
     return;
   const NounPhrase said = noun;
   const auto burns = [&](const NounPhrase& named) {
-    if (named.kind != NounKind::kObject || named.entry == nullptr) return false;
-    const auto is_a = [&](std::string_view id) { return lexicon_.catalog().is_a(named.entry->id, id); };
-    return is_a("fireplace") || is_a("stove") || is_a("fire_pit");
+    return named.kind == NounKind::kObject && named.entry != nullptr && named.entry->is(Trait::kFire);
   };
   for (std::size_t c = k; c-- > 0;) {
     if (!is(c, ChunkKind::kNoun) || !burns(chunk(c).noun)) continue;
@@ -365,9 +357,8 @@ bool UnitReader::passes_spot(std::size_t k) {
   const NounPhrase& noun = chunk(k).noun;
   const std::size_t verb = previous(k), n = next(k);
   if (verb >= k || !is(n, ChunkKind::kRelation) || noun.count > 0 || noun.plural || chunk(verb).last != chunk(k).first) return false;
-  const bool bare = noun.determiner == Determiner::kNone &&
-                    one_of(noun.head, {"court", "watch", "guard", "dust", "sentry", "sentinel", "sway", "room", "space", "shelter"});
-  const bool own = one_of(noun.head, {"place", "home", "spot", "position", "keep", "perch", "berth", "post", "life", "station", "rest"}) &&
+  const bool bare = noun.determiner == Determiner::kNone && one_of(noun.head, WordSet::kHeldThings);
+  const bool own = one_of(noun.head, WordSet::kOwnSpots) &&
                    (noun.determiner == Determiner::kIndefinite || noun.determiner == Determiner::kPossessive) &&
                    noun.last <= noun.first + 3;
   if (!bare && !own) return false;

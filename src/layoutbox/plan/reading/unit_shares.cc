@@ -4,6 +4,7 @@
 
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/word_sets.h"
 #include "layoutbox/plan/reading/unit_reader.h"
 
 namespace layoutbox::offline {
@@ -29,7 +30,7 @@ int UnitReader::shares_of(std::size_t k) const {
   const auto is_somebody = [&](const NounPhrase& who) {
     return who.entry == nullptr && (lexicon_.is_person(who.head) || word_form(who.head) == WordForm::kPerson);
   };
-  const bool place = one_of(whom.head, {"place", "workplace", "workstation", "position", "seat", "station", "spot"}) && !whom.exact;
+  const bool place = one_of(whom.head, WordSet::kWorkplaces) && !whom.exact;
   if (!member && !is_somebody(whom) && !place && whom.kind != NounKind::kAbstract) return 0;
   if (whom.count > 1) return whom.count;
   const std::size_t n = next(k);  // "each of us three"
@@ -95,7 +96,7 @@ bool UnitReader::is_for_all(std::size_t k) const {
   if (last + 1 >= document_.tokens.size()) return false;
   if (document_.tokens[last].text == "between") return one_of(document_.tokens[last + 1].text, {"us", "them", "both"});
   if (document_.tokens[last].text != "for") return false;
-  return one_of(document_.tokens[last + 1].text, {"all", "everyone", "everybody", "both", "them", "us"});
+  return one_of(document_.tokens[last + 1].text, WordSet::kEverybody);
 }
 
 // "each plinth a bust", "every desk two monitors": a having that is not said.

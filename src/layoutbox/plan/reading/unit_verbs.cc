@@ -1,9 +1,11 @@
 // What a verb that no list has says of two things: "a vase enlivens the sideboard", "a screen shields the bath".
 #include <algorithm>
 
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/offline/word_sets.h"
 #include "layoutbox/plan/reading/unit_reader.h"
 
 namespace layoutbox::offline {
@@ -36,7 +38,7 @@ const NounPhrase* UnitReader::subject_of_verb(std::size_t verb) const {
   }
   if (units_[u].kind != UnitKind::kNoun) return nullptr;
   const NounPhrase& subject = chunk(units_[u].chunk).noun;
-  const bool thing = subject.kind == NounKind::kObject && subject.entry != nullptr && !lexicon_.catalog().is_a(subject.entry->id, "pet");
+  const bool thing = subject.kind == NounKind::kObject && subject.entry != nullptr && !subject.entry->is(Trait::kPet);
   return thing && word_form(subject.head) != WordForm::kPerson ? &subject : nullptr;
 }
 
@@ -187,14 +189,11 @@ void UnitReader::mean_hand_of_owner(std::size_t k) {
 
 // "in the shadow of the wardrobe", "at the flank of the sofa", "a mug at its elbow": by the thing, or on it, as the preposition has it.
 void UnitReader::mean_owner_of_spot(std::size_t k) {
-  static constexpr std::string_view kOfBody[] = {"elbow", "flank", "shoulder", "heel", "hip", "knee",
-                                                 "feet",  "toe",   "tail",     "nose", "rear"};
   NounPhrase& noun = document_.chunks[k].noun;
   if (!after_place() || chunk(units_.back().chunk).last - chunk(units_.back().chunk).first != 1) return;
   const std::string& preposition = document_.tokens[chunk(units_.back().chunk).first].text;
   if (!one_of(preposition, {"in", "at", "by", "on", "to", "upon", "along", "beside", "near"})) return;
-  const bool body = std::find(std::begin(kOfBody), std::end(kOfBody), noun.head) != std::end(kOfBody) &&
-                    (noun.kind == NounKind::kAbstract || noun.kind == NounKind::kObject);
+  const bool body = one_of(noun.head, WordSet::kBodyParts) && (noun.kind == NounKind::kAbstract || noun.kind == NounKind::kObject);
   const bool its = body && noun.determiner == Determiner::kPossessive && !noun.of;
   const bool named = noun.of && (noun.kind == NounKind::kAbstract || body) && !noun.niche && noun.of->kind == NounKind::kObject &&
                      noun.of->exact && (noun.of->determiner == Determiner::kDefinite || noun.of->determiner == Determiner::kPossessive);

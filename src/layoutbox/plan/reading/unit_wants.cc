@@ -4,6 +4,7 @@
 
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/word_sets.h"
 #include "layoutbox/plan/reading/unit_reader.h"
 
 namespace layoutbox::offline {
@@ -17,8 +18,7 @@ bool UnitReader::keeps_place_for(std::size_t k) {
       units_.empty())
     return false;
   const NounPhrase &place = chunk(p).noun, &thing = chunk(n).noun;
-  static constexpr std::string_view kPlaces[] = {"place", "spot", "space", "room", "parking", "parking space", "somewhere"};
-  const bool plain = std::ranges::find(kPlaces, place.head) != std::end(kPlaces) && place.room == nullptr;
+  const bool plain = one_of(place.head, WordSet::kPlaceForThing) && place.room == nullptr;
   const bool anew =
       thing.determiner == Determiner::kIndefinite || thing.count > 0 ||
       ((thing.determiner == Determiner::kPossessive || thing.determiner == Determiner::kDefinite) && !is_named_before(n, thing.head));

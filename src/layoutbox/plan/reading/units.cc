@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
@@ -269,7 +270,7 @@ bool UnitReader::tells_of_pot(std::size_t k) {
       !is(n, ChunkKind::kNoun))
     return false;
   const NounPhrase& pot = chunk(n).noun;
-  if (!lexicon_.catalog().is_a(chunk(plant).noun.entry->id, "plant") || !one_of(pot.head, {"pot", "flowerpot", "planter"}) ||
+  if (!chunk(plant).noun.entry->is(Trait::kPlant) || !one_of(pot.head, {"pot", "flowerpot", "planter"}) ||
       pot.determiner == Determiner::kDefinite || pot.determiner == Determiner::kEach || pot.count > 1)
     return false;
   mark(k, Use::kIgnored, "attribute");

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "layoutbox/scene/relation_traits.h"
 #include "layoutbox/solve/conflict/clash_words.h"
 #include "layoutbox/solve/conflict/conflict.h"
 #include "layoutbox/solve/conflict/fixed.h"
@@ -71,8 +72,9 @@ const Relation* puts_at_wall(const PlacementModel& model, int constraint, int wa
   const Constraint& one = model.constraints[static_cast<std::size_t>(constraint)];
   if (one.relation < 0 || one.firmness != Firmness::kHard || scope.gives_up(constraint)) return nullptr;
   const Relation& relation = model.scene->relations[one.relation];
-  const bool back = relation.type == RelationType::kAgainstWall || relation.type == RelationType::kCenteredOnWall;
-  return back && relation.references.size() == 1 && model.find_wall(relation.references[0]) == wall ? &relation : nullptr;
+  return traits_of(relation.type).back_to_wall && relation.references.size() == 1 && model.find_wall(relation.references[0]) == wall
+             ? &relation
+             : nullptr;
 }
 
 // The widest first.

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "layoutbox/scene/relation_traits.h"
 #include "layoutbox/solve/compile/compile.h"
 #include "layoutbox/solve/conflict/conflict.h"
 #include "layoutbox/solve/model/items.h"
@@ -139,34 +140,12 @@ std::string things_in_words(const PlacementModel& model, const std::vector<int>&
   return listed(words);
 }
 
-namespace {
-
-// What is meant where nothing is named.
-std::string anything_in_words(RelationType type, const RelationRow& row) {
-  switch (type) {
-    case RelationType::kUnderWindow:
-    case RelationType::kNearWindow: return "a window";
-    case RelationType::kFarFromWindow: return "the windows";
-    case RelationType::kNearDoor: return "a door";
-    case RelationType::kFarFromDoor: return "the doors";
-    case RelationType::kNotBlocking: return "the doors and windows";
-    case RelationType::kKeepClear: return "that part of the room";
-    case RelationType::kAwayFromWall: return "the walls";
-    case RelationType::kCorner: return "the room";
-    case RelationType::kStacked: return "one another";
-    case RelationType::kAlign: return "one another";
-    default: return row.reference_kinds & kWall ? "a wall" : row.reference_kinds & kOpening ? "an opening" : "the room";
-  }
-}
-
-}  // namespace
-
 std::string relation_in_words(const PlacementModel& model, const Relation& relation) {
   std::vector<std::string> targets, references;
   for (const std::string& id : relation.targets) targets.push_back(reference_in_words(model, id));
   for (const std::string& id : relation.references) references.push_back(reference_in_words(model, id));
   const RelationRow& row = relation_row(relation.type);
-  if (references.empty()) references.push_back(anything_in_words(relation.type, row));
+  if (references.empty()) references.emplace_back(unnamed_reference(relation.type));
   const bool stands = relation.type == RelationType::kOn || relation.type == RelationType::kStacked;
   for (std::string& reference : references) {
     if (stands && reference == "the room") reference = "the floor";
