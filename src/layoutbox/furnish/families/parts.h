@@ -53,6 +53,9 @@ ShelfContents contents_of(const Piece& p);
 // … by its word in decor.json; books where no such word is known.
 ShelfContents contents_named(std::string_view name);
 
+// A frame of four bars round a rectangle on a wall; what it holds lies between its front and back.
+void picture_frame(Piece& p, int surface, double width);
+
 // Chairs of wicker are of a build of their own.
 bool is_wicker(const Piece& p);
 void wicker_chair(Piece& p);
