@@ -133,6 +133,23 @@ std::vector<OnTop> places_of_guest(const PlacedObject& host, const CatalogEntry&
   return {{at, turned}, {aside, turned}};
 }
 
+// 180 where who works at a desk sits at its back: behind a reception, before visitors; there all is the other way round.
+double turned_to_user(const Dresser& dresser, const PlacedObject& host, const CatalogEntry& entry) {
+  constexpr double kReach = 650;  // mm between the edge and the middle of a seat
+  if (!entry.is(Trait::kDesk)) return 0;
+  const double turn = radians_from_degrees(host.rotation_deg), c = std::cos(turn), s = std::sin(turn);
+  double back = entry.is(Trait::kOpenToRoom) ? 180 : 0;
+  for (const PlacedObject& seat : dresser.layout().objects) {
+    const CatalogEntry& kind = dresser.entry_of(seat);
+    const double dx = seat.position[0] - host.position[0], dy = seat.position[1] - host.position[1];
+    const double x = dx * c + dy * s, y = dy * c - dx * s;
+    if (!kind.is(Trait::kTableSeat) || std::abs(x) > host.size.width / 2.0 || std::abs(y) > host.size.depth / 2.0 + kReach) continue;
+    back = y > 0 ? 180 : 0;
+    if (dresser.catalog().is_a(seat.category, "office_chair")) return back;
+  }
+  return back;
+}
+
 }  // namespace
 
 // One on each, the row's first kind first.
@@ -148,7 +165,11 @@ void stand_on(Dresser& dresser, const Dressing& row) {
     const std::optional<Size> size = top ? fitted(added, dresser.size_of(row), *top) : std::nullopt;
     if (!size) continue;
     const std::vector<Spot> spots = spots_on(entry, added, *top, *size);
-    if (std::ranges::any_of(spots, [&](const Spot& spot) { return put_down(dresser, row, host, *top, *size, {spot, 0}); })) --left;
+    const double turned = turned_to_user(dresser, host, entry), way = turned > 0 ? -1 : 1;
+    const auto fits_at = [&](const Spot& spot) {
+      return put_down(dresser, row, host, *top, *size, {{spot.x * way, spot.y * way}, turned});
+    };
+    if (std::ranges::any_of(spots, fits_at)) --left;
   }
 }
 

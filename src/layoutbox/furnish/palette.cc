@@ -185,7 +185,6 @@ Surface worn(const Surface& surface, double wear) {
   old.roughness = static_cast<float>(std::lerp(static_cast<double>(surface.roughness), 0.95, wear));
   old.metallic = static_cast<float>(static_cast<double>(surface.metallic) * (1 - wear));
   if (old.texture.empty() || old.texture == "plaster" || old.texture == "brushed") old.texture = "concrete", old.scale = 0.45F;
-  old.name += "_worn";
   return old;
 }
 
