@@ -158,9 +158,7 @@ bool FreeRoom::is_free(const RoomBox& box, bool window) const {
 }
 
 bool FreeRoom::is_free(const RoomBox& box, const std::vector<std::string>& but) const {
-  const auto in_the_way = [&](const Taken& taken) {
-    return taken.what != Taken::What::kWindow && std::ranges::find(but, taken.id) == but.end() && overlap(taken.box, box);
-  };
+  const auto in_the_way = [&](const Taken& taken) { return std::ranges::find(but, taken.id) == but.end() && overlap(taken.box, box); };
   return inside(box) && std::ranges::none_of(taken_, in_the_way);
 }
 

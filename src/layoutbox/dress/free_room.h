@@ -68,8 +68,7 @@ class FreeRoom {
   bool inside(const RoomBox& box) const;
   // On the floor of the room, and nothing there; curtains may hang before windows (`window`).
   bool is_free(const RoomBox& box, bool window = false) const;
-  // The same of what stands on a thing, but for things that it may be in: what it lies on, chairs that are pushed under that. It may stand
-  // before a window.
+  // The same, but for things that it may be in: what it lies on, chairs that are pushed under that.
   bool is_free(const RoomBox& box, const std::vector<std::string>& but) const;
   // The parts of a wall that are free so far off it and at these heights, in order; of what is there only what counts.
   enum class Count { kAll, kThings, kStandingAndDoorways };

@@ -12,6 +12,7 @@ namespace {
 constexpr double kToEdge = 20;   // mm between a thing and the edge of what carries it
 constexpr double kAboutIt = 20;  // … that are free about it
 
+constexpr Trait kSoft[] = {Trait::kSeat, Trait::kEasySeat, Trait::kCenterPiece, Trait::kBed};  // one lies or sits on them
 constexpr double kLowestSeat = 250, kHighestSeat = 750;
 
 // Where things stand or lie on a thing: a level above its underside, and half its sides; y: its middle in the thing's frame.
@@ -23,8 +24,10 @@ struct Top {
 std::optional<Top> top_of(const Dresser& dresser, const PlacedObject& host) {
   const CatalogEntry& entry = dresser.entry_of(host);
   if (entry.top_carries) return Top{double(host.size.height), host.size.width / 2.0, host.size.depth / 2.0, 0};
+  const bool soft = std::ranges::any_of(kSoft, [&](Trait trait) { return entry.is(trait); });
   for (const Space& space : host.spaces) {
-    const bool seat = space.carries && space.min[2] > kLowestSeat && space.min[2] < kHighestSeat && space.max[2] > host.size.height - 1;
+    const bool seat =
+        soft && space.carries && space.min[2] > kLowestSeat && space.min[2] < kHighestSeat && space.max[2] > host.size.height - 1;
     if (seat)
       return Top{space.min[2], (space.max[0] - space.min[0]) / 2, (space.max[1] - space.min[1]) / 2, (space.max[1] + space.min[1]) / 2};
   }
@@ -34,7 +37,8 @@ std::optional<Top> top_of(const Dresser& dresser, const PlacedObject& host) {
 // Chairs whose seats are under a table: their backs are before it, though their boxes reach over its top.
 std::vector<std::string> pushed_under(const Dresser& dresser, const PlacedObject& host) {
   std::vector<std::string> ids;
-  if (!dresser.entry_of(host).is(Trait::kTable)) return ids;
+  const CatalogEntry& entry = dresser.entry_of(host);
+  if (!entry.is(Trait::kTable) && !entry.is(Trait::kDesk)) return ids;
   for (const PlacedObject& object : dresser.layout().objects) {
     if (dresser.is_one_of(object, {"chair", "office_chair", "stool"}) && overlap(box_round(object), box_round(host)))
       ids.push_back(object.id);
