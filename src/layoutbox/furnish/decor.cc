@@ -149,12 +149,17 @@ std::map<std::string, std::string, std::less<>> shelves_said(std::string_view pr
   return said;
 }
 
+// Whether the text has one of the words of that list of decor.json.
+bool says_one_of(std::string_view prompt, const char* list) {
+  const std::string& listed = decor_data().at(list).get_ref<const std::string&>();
+  return std::ranges::any_of(words_of(prompt), [&](const std::string& word) { return lists(listed, word); });
+}
+
 // A room for children, or a bedroom of one by the words of the text.
 bool is_childs(const std::string& kind, std::string_view prompt) {
   const Json& children = decor_data().at("child_rooms");
   if (std::find(children.begin(), children.end(), kind) != children.end()) return true;
-  const std::string whose = decor_data().at("child_words").get<std::string>();
-  return kind == "bedroom" && std::ranges::any_of(words_of(prompt), [&](const std::string& word) { return lists(whose, word); });
+  return kind == "bedroom" && says_one_of(prompt, "child_words");
 }
 
 // "An abandoned ward", "a dark cellar": what is said of the whole room as it opens, by which it is darker or more worn.
@@ -230,7 +235,7 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
   decor.woods = woods_on(floor_name(floor), chance >> 16);
   if (is_childs(kind, layout.prompt)) {
     take_palette(decor, child_palette(layout.prompt));
-    decor.pictures = "child";
+    decor.pictures = says_one_of(layout.prompt, "grown_words") ? "" : "child";
     decor.woods = {"birch", "lacquer"};
   } else {
     take_palette(decor, one_of(decor_data().at("palettes"), chance >> 24));

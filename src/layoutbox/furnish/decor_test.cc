@@ -75,6 +75,7 @@ TEST(Decor, CellarsAndSpaceshipsHaveDoorsAndWindowsOfTheirOwn) {
 TEST(Decor, PicturesSuitTheRoom) {
   EXPECT_EQ(decor_of(room("nursery", "x"), 1).pictures, "child");
   EXPECT_EQ(decor_of(room("bedroom", "A bedroom for my daughter."), 1).pictures, "child");
+  EXPECT_EQ(decor_of(room("kids_room", "A room for my teenager."), 1).pictures, "");
   EXPECT_EQ(decor_of(room("clinic", "x"), 1).pictures, "chart");
   EXPECT_EQ(decor_of(room("bedroom", "x"), 1).pictures, "");
 }
