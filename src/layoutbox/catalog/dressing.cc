@@ -15,23 +15,25 @@ Names names_in(const nlohmann::json& value, const char* key) { return value.valu
 
 Mm length_in(const nlohmann::json& value, const char* key) { return mm_from_m(value.value(key, 0.0)); }
 
-// Kinds of room, where a name may stand for a set of them.
-Names rooms_in(const nlohmann::json& row, const std::map<std::string, Names>& sets) {
-  Names rooms;
-  for (const std::string& name : row.at("rooms").get<Names>()) {
+using Sets = std::map<std::string, Names>;
+
+// Names, of which one may stand for a set of them.
+Names names_in(const nlohmann::json& value, const char* key, const Sets& sets) {
+  Names names;
+  for (const std::string& name : names_in(value, key)) {
     const auto set = sets.find(name);
     if (set == sets.end()) {
-      rooms.push_back(name);
+      names.push_back(name);
     } else {
-      std::ranges::copy(set->second, std::back_inserter(rooms));
+      std::ranges::copy(set->second, std::back_inserter(names));
     }
   }
-  return rooms;
+  return names;
 }
 
 Dressings read_dressings() {
   const auto data = nlohmann::json::parse(embedded::dress_json);
-  const auto sets = data.at("sets").get<std::map<std::string, Names>>();
+  const auto sets = data.at("sets").get<Sets>();
   Dressings dressings;
   for (const auto& row : data.at("rows")) {
     Dressing dressing;
@@ -39,11 +41,12 @@ Dressings read_dressings() {
     dressing.adds = row.at("adds").get<std::string>();
     dressing.words = names_in(row, "words");
     dressing.of = names_in(row, "of");
-    dressing.rooms = rooms_in(row, sets);
+    dressing.rooms = names_in(row, "rooms", sets);
     dressing.unless = names_in(row, "unless");
     dressing.unspoken = names_in(row, "unspoken");
-    dressing.said = names_in(row, "said");
-    dressing.unsaid = names_in(row, "unsaid");
+    dressing.with = names_in(row, "with");
+    dressing.said = names_in(row, "said", sets);
+    dressing.unsaid = names_in(row, "unsaid", sets);
     dressing.lifted = names_in(row, "lifted");
     dressing.most = row.value("most", 1);
     dressing.size = {length_in(row, "w"), length_in(row, "d"), length_in(row, "h")};
@@ -53,6 +56,9 @@ Dressings read_dressings() {
     dressings.rows.push_back(std::move(dressing));
   }
   dressings.rehung = names_in(data, "rehung");
+  for (const auto& theme : data.at("themes")) {
+    dressings.themes.push_back({names_in(theme, "said", sets), names_in(theme, "rooms", sets), names_in(theme, "without")});
+  }
   for (const auto& form : data.at("kitchenForms")) {
     dressings.kitchen_forms.push_back({form.at("form").get<std::string>(), names_in(form, "words")});
   }

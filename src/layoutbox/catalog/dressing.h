@@ -15,6 +15,7 @@ struct Dressing {
   std::string adds;                   // the kind
   std::vector<std::string> words;     // said of it: "large"
   std::vector<std::string> of;        // kinds that it goes with, the best first
+  std::vector<std::string> with;      // only on what carries one of these already: keyboards before monitors
   std::vector<std::string> rooms;     // in these kinds of room only
   std::vector<std::string> unless;    // not where one of these kinds is there
   std::vector<std::string> unspoken;  // not where the text names one of these or wants none; empty: speaks of what is added
@@ -34,8 +35,14 @@ struct KitchenForm {
   std::vector<std::string> words;
 };
 
+// What does not come to a room of which one of these words is said, or of one of these kinds.
+struct DressingTheme {
+  std::vector<std::string> said, rooms, without;
+};
+
 struct Dressings {
-  std::vector<Dressing> rows;       // in this order
+  std::vector<Dressing> rows;  // in this order
+  std::vector<DressingTheme> themes;
   std::vector<std::string> rehung;  // kinds that hang anywhere in view where nothing says where
   std::vector<KitchenForm> kitchen_forms;
 

@@ -8,6 +8,7 @@
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/normalize_steps.h"
 #include "layoutbox/catalog/size_words.h"
+#include "layoutbox/catalog/toppled.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/scene/relation_traits.h"
 
@@ -43,6 +44,7 @@ class ObjectNormalizer {
     const CatalogEntry& entry = context_.catalog.entry_or_nearest(object_.category);
     if (!object_.mount) settle_mount(entry);
     settle_size(entry);
+    if (is_toppled(object_.attributes, *object_.mount) && !object_.fixed && !object_.hint.position) topple(entry);
     if (!object_.used_sides) object_.used_sides = entry.used_sides;
   }
 
@@ -109,6 +111,15 @@ class ObjectNormalizer {
     }
     apply_scale();
     check_size();
+  }
+
+  // Nobody uses it, and there is no room in or under it.
+  void topple(const CatalogEntry& entry) {
+    SizeRange& size = *object_.size;
+    for (Size* one : {&size.least, &size.usual, &size.greatest}) *one = toppled(entry, *one);
+    object_.used_sides = std::vector<Side>{};
+    object_.spaces.clear();
+    object_.spaces_given = true;
   }
 
   // Sides of 0 are not known.

@@ -106,6 +106,16 @@ TEST(NormalizeRelations, APartThatAThingDoesNotHaveIsRefusedWithThoseItHas) {
   EXPECT_THAT(refused.error().hint, AllOf(HasSubstr("left, right, center"), HasSubstr("shelf 1, shelf 2")));
 }
 
+TEST(NormalizeObjects, WhatWasKnockedOverLiesOnItsSide) {
+  SceneObject chair = object("chair_1", "chair"), lying = object("chair_2", "chair");
+  lying.attributes = {"overturned"};
+  const SceneGraph scene = normalized(scene_of({chair, lying}));
+  const Size up = scene.objects[0].size->usual, down = scene.objects[1].size->usual;
+  EXPECT_EQ(down.height, up.width);
+  EXPECT_EQ(down.width, up.height);
+  EXPECT_TRUE(scene.objects[1].used_sides->empty());
+}
+
 TEST(NormalizeObjects, WordsNarrowTheSize) {
   SceneObject king = object("bed_1", "bed"), tall = object("plant_1", "plant"), small = object("desk_1", "desk");
   king.name = "king size bed";

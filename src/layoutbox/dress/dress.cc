@@ -30,16 +30,24 @@ constexpr std::pair<std::string_view, Place> kPlaces[] = {{"kitchen run", fill_k
                                                           {"under", lie_under},
                                                           {"before", lie_before},
                                                           {"on", stand_on},
+                                                          {"at seats", lay_before_seats},
                                                           {"ceiling", hang_from_ceiling}};
 
 double m2_of(const Room& room) { return double(doubled_area(room.polygon)) / 2e6; }
 
 bool is_among(const std::vector<std::string>& list, const std::string& one) { return std::ranges::find(list, one) != list.end(); }
 
+// No pot plants in ruins, no prints in a dungeon.
+bool is_out_of_theme(const Dresser& dresser, const std::string& kind) {
+  return std::ranges::any_of(Dressings::builtin().themes, [&](const DressingTheme& theme) {
+    return is_among(theme.without, kind) && (dresser.spoken().says_any(theme.said) || is_among(theme.rooms, dresser.layout().room.type));
+  });
+}
+
 bool is_wanted(const Dresser& dresser, const Dressing& row) {
   const Room& room = dresser.layout().room;
   const CatalogEntry* kind = dresser.catalog().find(row.adds);
-  if (kind == nullptr || !is_among(row.rooms, room.type) || m2_of(room) < row.area_m2) return false;
+  if (kind == nullptr || is_out_of_theme(dresser, row.adds) || !is_among(row.rooms, room.type) || m2_of(room) < row.area_m2) return false;
   if ((!row.said.empty() && !dresser.spoken().says_any(row.said)) || dresser.spoken().says_any(row.unsaid)) return false;
   if (std::ranges::any_of(row.unless, [&](const std::string& id) { return dresser.is_there(id); })) return false;
   if (row.unspoken.empty()) return !dresser.spoken().of(*kind);

@@ -157,7 +157,7 @@ TEST(Dress, KitchensBecomeFitted) {
   EXPECT_THAT(room.dress(), Contains("base_cabinet").Times(::testing::Ge(3)));
   double along = 0;  // the whole wall is taken
   for (const PlacedObject& object : room.layout().objects) {
-    if (object.rotation_deg == 0 && object.mount == Mount::kFloor) along += object.size.width;
+    if (object.rotation_deg == 0 && object.mount == Mount::kFloor && object.position[2] < 1) along += object.size.width;
   }
   EXPECT_NEAR(along, 4000, 20);
   ASSERT_EQ(room.of("range_hood").size(), 1u);
@@ -238,6 +238,36 @@ TEST(Dress, CurtainsHangAtWindows) {
   low.dress();
   ASSERT_EQ(low.of("curtain").size(), 1u);
   EXPECT_GT(low.of("curtain")[0].position[2], 700) << "down to the sill";
+}
+
+TEST(Dress, TheMoodOfTheTextSaysWhatStaysAway) {
+  const auto study = [](const std::string& prompt) {
+    DressedRoom room("study", 4.5, 4, prompt);
+    room.window("wall3", 0.6).put("desk", 3.2, 3.7, 0).put("chair", 3.2, 3.2, 180);
+    return room.dress();
+  };
+  EXPECT_THAT(study("A study with a desk and a chair."), testing::AllOf(Contains("painting"), Contains("laptop"), Contains("pen_holder")));
+  EXPECT_THAT(study("A wizard's study with a desk and a chair."), Not(Contains(testing::AnyOf("painting", "laptop", "plant"))));
+  EXPECT_THAT(study("An abandoned study with a desk and a chair."), Not(Contains(testing::AnyOf("painting", "laptop", "plant"))));
+}
+
+TEST(Dress, TablesAreLaidBeforeTheirSeats) {
+  DressedRoom room("dining_room", 5, 4);
+  room.put("dining_table", 2.5, 2.0, 0).put("chair", 2.2, 1.3, 180).put("chair", 2.5, 2.75, 0).put("chair", 4.6, 0.6, 0);
+  room.dress();
+  const std::vector<PlacedObject> plates = room.of("plate");
+  ASSERT_EQ(plates.size(), 2u) << "none for who sits elsewhere";
+  EXPECT_NEAR(plates[0].position[0], 2200, 1);
+  EXPECT_LT(plates[0].position[1], 1800);
+  EXPECT_GT(plates[1].position[1], 2200);
+}
+
+TEST(Dress, WhoWorksBehindAReceptionSeesTheScreen) {
+  DressedRoom room("reception", 5, 4);
+  room.put("reception_desk", 2.5, 2.4, 0).put("office_chair", 2.5, 3.0, 0);
+  room.dress();
+  ASSERT_EQ(room.of("monitor").size(), 1u);
+  EXPECT_NEAR(room.of("monitor")[0].rotation_deg, 180, 1);
 }
 
 TEST(Dress, NothingOfWhatTheTextSpeaksOf) {

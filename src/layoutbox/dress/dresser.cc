@@ -76,9 +76,9 @@ std::string Dresser::add_at_wall(const std::string& kind, const std::vector<std:
 }
 
 std::string Dresser::add_on(const std::string& kind, const std::vector<std::string>& words, const Size& size, const std::string& host,
-                            double x, double y, double level) {
+                            double x, double y, double level, double turned_deg) {
   const PlacedObject& below = *layout_.find_object(host);
-  const double turn = below.rotation_deg, top = below.position[2] + level;
+  const double turn = below.rotation_deg + turned_deg, top = below.position[2] + level;
   std::string id = add(kind, words, size, {{x, y, top}, turn, host});
   Relation on;
   on.id = "on " + id;

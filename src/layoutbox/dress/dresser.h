@@ -45,9 +45,9 @@ class Dresser {
   // With its back to a wall, from there along it; millimetres from the floor to its underside.
   std::string add_at_wall(const std::string& kind, const std::vector<std::string>& words, const Size& size, const DressedWall& wall,
                           double along, double height);
-  // On a thing, so high above its underside.
+  // On a thing, so high above its underside, turned against it.
   std::string add_on(const std::string& kind, const std::vector<std::string>& words, const Size& size, const std::string& host, double x,
-                     double y, double level);
+                     double y, double level, double turned_deg = 0);
 
   // What stands in a corner of a run is used from none of its sides.
   void use_from_no_side(const std::string& id);

@@ -36,6 +36,8 @@ void lie_under(Dresser& dresser, const Dressing& row);
 void lie_before(Dresser& dresser, const Dressing& row);
 // "on": on the top of a thing where nothing stands.
 void stand_on(Dresser& dresser, const Dressing& row);
+// "at seats": on the edge of a table before each of its seats, where nothing stands.
+void lay_before_seats(Dresser& dresser, const Dressing& row);
 // "ceiling": in the middle of the room.
 void hang_from_ceiling(Dresser& dresser, const Dressing& row);
 

@@ -50,6 +50,15 @@ bool names_a_thing(std::string_view text) {
   });
 }
 
+// Whole words only.
+bool says_word(std::string_view text, std::string_view phrase) {
+  const auto is_letter = [&](std::size_t at) { return at < text.size() && std::isalpha(static_cast<unsigned char>(text[at])) != 0; };
+  for (std::size_t at = text.find(phrase); at != std::string_view::npos; at = text.find(phrase, at + 1)) {
+    if ((at == 0 || !is_letter(at - 1)) && !is_letter(at + phrase.size())) return true;
+  }
+  return false;
+}
+
 // "make it dark": where no style is named, what the room is to feel like.
 Style mood_of(std::string_view text) {
   const std::string lower = lower_case(text) + ".";  // phrases may end a sentence
@@ -140,12 +149,39 @@ std::map<std::string, std::string, std::less<>> shelves_said(std::string_view pr
   return said;
 }
 
+// Whether the text has one of the words of that list of decor.json.
+bool says_one_of(std::string_view prompt, const char* list) {
+  const std::string& listed = decor_data().at(list).get_ref<const std::string&>();
+  return std::ranges::any_of(words_of(prompt), [&](const std::string& word) { return lists(listed, word); });
+}
+
 // A room for children, or a bedroom of one by the words of the text.
 bool is_childs(const std::string& kind, std::string_view prompt) {
   const Json& children = decor_data().at("child_rooms");
   if (std::find(children.begin(), children.end(), kind) != children.end()) return true;
-  const std::string whose = decor_data().at("child_words").get<std::string>();
-  return kind == "bedroom" && std::ranges::any_of(words_of(prompt), [&](const std::string& word) { return lists(whose, word); });
+  return kind == "bedroom" && says_one_of(prompt, "child_words");
+}
+
+// "An abandoned ward", "a dark cellar": what is said of the whole room as it opens, by which it is darker or more worn.
+void take_conditions(Decor& decor, std::string_view prompt) {
+  constexpr std::size_t kLongestOpening = 80;  // characters
+  const std::string text = lower_case(prompt), opening = text.substr(0, std::min(text.find_first_of(":;.\n"), kLongestOpening));
+  for (const Json& condition : decor_data().at("conditions")) {
+    const std::string& where = condition.value("anywhere", false) ? text : opening;
+    const bool said =
+        std::ranges::any_of(condition.at("says"), [&](const Json& phrase) { return says_word(where, phrase.get<std::string>()); });
+    if (!said) continue;
+    decor.daylight = std::min(decor.daylight, condition.value("daylight", 1.0));
+    decor.wear = std::max(decor.wear, condition.value("wear", 0.0));
+  }
+}
+
+// Walls, skirtings, doors and windows of a style.
+void take_shell(Decor& decor, const Json& style) {
+  decor.wall_finish = style.value("wall", decor.wall_finish);
+  decor.skirting = style.value("skirting", decor.skirting);
+  decor.door = style.value("door", decor.door);
+  decor.window = style.value("window", decor.window);
 }
 
 // The name of the floor's surface, so that the furniture can differ from it.
@@ -186,6 +222,8 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
   decor.parapet = room.value("parapet", false);
   decor.shelves = value_listed(decor_data().at("shelves"), kind);
   decor.cases = value_listed(decor_data().at("cases"), kind);
+  decor.pictures = value_listed(decor_data().at("pictures"), kind);
+  if (room.contains("wall")) decor.wall_finish = room.at("wall").get<std::string>();
   // A style that has walls of its own goes before what such rooms mostly look like.
   const bool strong = style != nullptr && (style->contains("walls") || style->contains("wall"));
   const bool own_floor = style != nullptr && style->contains("floors") && (strong || !room.value("plain", false));
@@ -197,6 +235,7 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
   decor.woods = woods_on(floor_name(floor), chance >> 16);
   if (is_childs(kind, layout.prompt)) {
     take_palette(decor, child_palette(layout.prompt));
+    decor.pictures = says_one_of(layout.prompt, "grown_words") ? "" : "child";
     decor.woods = {"birch", "lacquer"};
   } else {
     take_palette(decor, one_of(decor_data().at("palettes"), chance >> 24));
@@ -204,7 +243,8 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
   if (style != nullptr) decor = decor_of_thing(decor, layout.prompt);
   if (style != nullptr && style->contains("walls") && decor.wall_finish.empty())
     decor.wall = color_of(one_of(style->at("walls"), chance >> 8));
-  if (style != nullptr && style->contains("wall")) decor.wall_finish = style->at("wall").get<std::string>();
+  if (style != nullptr) take_shell(decor, *style);
+  take_conditions(decor, layout.prompt);
   decor.shelves_said = shelves_said(layout.prompt);
   decor.parts = part_looks(layout.prompt);
   if (std::vector<Color> said = room_colors(layout.prompt); !said.empty()) {
@@ -218,6 +258,16 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
   if (const auto accents = decor.parts.find("accents"); accents != decor.parts.end() && !accents->second.colors.empty())
     decor.accents = accents->second.colors;
   return decor;
+}
+
+double wear_said(std::string_view text) {
+  double wear = 0;
+  for (const auto& [words, share] : decor_data().at("wear").items()) {
+    for (const std::string& word : words_of(text)) {
+      if (lists(words, word)) wear = std::max(wear, share.get<double>());
+    }
+  }
+  return wear;
 }
 
 std::string shelf_contents_named(std::string_view text) {

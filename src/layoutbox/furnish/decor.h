@@ -26,6 +26,11 @@ struct Decor {
   bool colors_said = false;  // the accents are the text's own
   std::string cases;         // what lies in glass cases of which nothing was said; empty: nothing
   std::string shelves;       // what stands on a shelf of which nothing was said ("goods", "towels"); empty: books
+  std::string pictures;      // what pictures show in rooms of this kind ("child", "chart"); empty: landscapes and compositions
+  double daylight = 1;       // a share of the usual light from without
+  double wear = 0;           // 0: new, 1: as worn and dirty as can be
+  bool skirting = true;      // boards along the foot of plastered walls
+  std::string door, window;  // words for doors and windows of which nothing was said ("plank", "arched")
   PartLooks parts;           // of parts, as the text says
   // A wood for a thing, where nobody said which: the room's. Stands for oak and walnut only.
   std::string_view wood_for(std::string_view usual, std::uint64_t kind) const;
@@ -35,6 +40,9 @@ struct Decor {
 Decor decor_of(const Layout& layout, std::uint64_t seed);
 // The same with what the words of one object change ("rustic dining table"); `text` in lower case.
 Decor decor_of_thing(const Decor& room, std::string_view text);
+
+// How worn the words say a thing is ("old": a little, "rusty": much); 0 where they do not.
+double wear_said(std::string_view text);
 
 // What a shelf of that name holds ("wine shelf": bottles); empty where the name does not say. `text` in lower case.
 std::string shelf_contents_named(std::string_view text);

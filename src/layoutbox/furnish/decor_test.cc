@@ -53,6 +53,33 @@ TEST(Decor, WetRoomsAreTiledAndWorkshopsHaveConcrete) {
   EXPECT_EQ(decor_of(room("workshop", "x"), 1).floor, "concrete");
 }
 
+TEST(Decor, WhatIsSaidOfTheWholeRoomDarkensAndWearsIt) {
+  EXPECT_EQ(decor_of(room("bedroom", "A bedroom with a dark wardrobe."), 1).daylight, 1);
+  EXPECT_EQ(decor_of(room("bedroom", "A bedroom with a dark wardrobe."), 1).wear, 0);
+  EXPECT_LT(decor_of(room("bedroom", "A moody bedroom."), 1).daylight, 0.8);
+  const Decor ward = decor_of(room("hospital_room", "An abandoned hospital ward with six beds."), 1);
+  EXPECT_LT(ward.daylight, 0.9);
+  EXPECT_GT(ward.wear, 0.3);
+  EXPECT_EQ(decor_of(room("airport_terminal", "An airport gate lounge: three rows of seats and some abandoned luggage."), 1).wear, 0);
+}
+
+TEST(Decor, CellarsAndSpaceshipsHaveDoorsAndWindowsOfTheirOwn) {
+  const Decor usual = decor_of(room("study", "A study."), 1), castle = decor_of(room("study", "A study in a castle."), 1);
+  EXPECT_TRUE(usual.skirting);
+  EXPECT_TRUE(usual.door.empty());
+  EXPECT_FALSE(castle.skirting);
+  EXPECT_NE(castle.door.find("plank"), std::string::npos);
+  EXPECT_NE(decor_of(room("bedroom", "A spaceship with a bed."), 1).window.find("porthole"), std::string::npos);
+}
+
+TEST(Decor, PicturesSuitTheRoom) {
+  EXPECT_EQ(decor_of(room("nursery", "x"), 1).pictures, "child");
+  EXPECT_EQ(decor_of(room("bedroom", "A bedroom for my daughter."), 1).pictures, "child");
+  EXPECT_EQ(decor_of(room("kids_room", "A room for my teenager."), 1).pictures, "");
+  EXPECT_EQ(decor_of(room("clinic", "x"), 1).pictures, "chart");
+  EXPECT_EQ(decor_of(room("bedroom", "x"), 1).pictures, "");
+}
+
 // A clause that names nothing but colours is about the whole room; colours of things are theirs alone.
 TEST(Decor, ColoursSaidOfTheRoomAreItsCloths) {
   const auto accents = [](const std::string& prompt) { return decor_of(room("bedroom", prompt), 1).accents; };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "layoutbox/catalog/toppled.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/furnish/kit_detail.h"
 #include "layoutbox/furnish/own_meshes.h"
@@ -70,6 +71,27 @@ int side_of_twin(const PlacedObject& object, const Layout& layout) {
   return 0;
 }
 
+// On its side, or on its back, as toppled() has it.
+Node laid_down(Node node, const CatalogEntry& entry, const Size& upright) {
+  const double w = m_from_mm(upright.width), d = m_from_mm(upright.depth), h = m_from_mm(upright.height);
+  const kit::Pose pose = falls_sideways(entry) ? kit::Pose{{0, 0, -1}, {0, 1, 0}, {1, 0, 0}, {-h / 2, 0, w / 2}}
+                                               : kit::Pose{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}, {0, -h / 2, d / 2}};
+  for (Part& part : node.parts) part.mesh = kit::posed(std::move(part.mesh), pose);
+  for (Light& light : node.lights) {
+    const kit::Vec at = pose.point(
+        {static_cast<double>(light.position[0]), static_cast<double>(light.position[1]), static_cast<double>(light.position[2])});
+    light.position = {static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(at.z)};
+  }
+  return node;
+}
+
+// By what is said of it: "an old workbench".
+double wear_of(const PlacedObject& object) {
+  double wear = wear_said(object.name);
+  for (const std::string& word : object.attributes) wear = std::max(wear, wear_said(word));
+  return wear;
+}
+
 Result<Node> object_node(const PlacedObject& object, const Catalog& catalog, const Layout* layout, Palette& palette, const Decor& decor,
                          const FurnishOptions& options) {
   const CatalogEntry& entry = catalog.entry_or_nearest(object.category);
@@ -84,15 +106,20 @@ Result<Node> object_node(const PlacedObject& object, const Catalog& catalog, con
     LAYOUTBOX_ASSIGN(Node node, own_mesh_node(object, material, palette, options));
     return placed(std::move(node));
   }
-  std::vector<FreeSpace> spaces = free_spaces(object, entry, layout);
+  const bool lies = is_toppled(object.attributes, object.mount);
+  PlacedObject upright = object;
+  if (lies) upright.size = toppled(entry, object.size), upright.spaces.clear();
+  std::vector<FreeSpace> spaces = free_spaces(upright, entry, lies ? nullptr : layout);
   const double raised = lower_onto_floor(spaces);
-  PlacedObject body = object;
+  PlacedObject body = upright;
   body.size.height -= static_cast<Mm>(std::lround(raised * 1000));
+  const double before = palette.wear_from_now(std::max(decor.wear, wear_of(object)));
   kit::Piece piece(body, entry, std::move(spaces), material, palette, decor, options.seed, options.contents);
   if (layout != nullptr && entry.is(Trait::kCurtain)) piece.twin = side_of_twin(object, *layout);
   kit::family_or_generic(entry.shape.family)(piece);
   if (raised > 0) piece.raise(raised);
-  return placed(piece.take_node());
+  palette.wear_from_now(before);
+  return placed(lies ? laid_down(piece.take_node(), entry, upright.size) : piece.take_node());
 }
 
 Status check_size(const PlacedObject& object) {
@@ -118,6 +145,8 @@ Result<Model> furnish(const Layout& layout, const Catalog& catalog, const Furnis
   Palette palette;
   const kit::DetailScope detail(options.detail);
   const Decor decor = decor_of(layout, options.seed);
+  model.daylight = decor.daylight;
+  palette.wear_from_now(decor.wear);
   add_room_shell(layout, decor, palette, model);
   LAYOUTBOX_CHECK(replace_walls_by_own_meshes(layout, palette, options, model));
   for (const PlacedObject& object : layout.objects) {

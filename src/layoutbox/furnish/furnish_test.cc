@@ -1,4 +1,5 @@
 #include "layoutbox/furnish/furnish.h"
+#include "layoutbox/catalog/toppled.h"
 
 #include <gtest/gtest.h>
 
@@ -203,6 +204,56 @@ TEST(Furnish, WickerAndRustAreSeen) {
   };
   for (const char* kind : {"chair", "armchair", "sofa"}) EXPECT_TRUE(uses(kind, "wicker", "rattan")) << kind;
   for (const char* kind : {"bed", "cabinet"}) EXPECT_TRUE(uses(kind, "rusty", "rusty_metal")) << kind;
+}
+
+// An overturned chair fills the box of one that lies on its side.
+TEST(Furnish, WhatWasKnockedOverLies) {
+  for (const char* kind : {"chair", "table", "floor_lamp"}) {
+    PlacedObject object = object_of(kind);
+    const Size upright = object.size;
+    object.attributes = {"overturned"};
+    object.size = toppled(catalog().entry_or_nearest(kind), upright);
+    EXPECT_NE(object.size.height, upright.height) << kind;
+    kit::Box all{{9, 9, 9}, {-9, -9, -9}};
+    const Model model = furnished(object);  // outlives the loop
+    for (const Part& part : model.nodes.at(0).parts) {
+      const kit::Box b = kit::bounds(part.mesh);
+      all.min.x = std::min(all.min.x, b.min.x), all.min.y = std::min(all.min.y, b.min.y), all.min.z = std::min(all.min.z, b.min.z);
+      all.max.x = std::max(all.max.x, b.max.x), all.max.y = std::max(all.max.y, b.max.y), all.max.z = std::max(all.max.z, b.max.z);
+    }
+    EXPECT_NEAR(all.min.z, 0, 0.006) << kind;
+    EXPECT_NEAR(all.size().x, m_from_mm(object.size.width), 0.012) << kind;
+    EXPECT_NEAR(all.size().y, m_from_mm(object.size.depth), 0.012) << kind;
+    EXPECT_NEAR(all.size().z, m_from_mm(object.size.height), 0.012) << kind;
+  }
+}
+
+TEST(Furnish, WornThingsAreDarkerThanNewOnes) {
+  const auto brightness = [](const char* word) {
+    PlacedObject object = object_of("workbench");
+    object.attributes = {word};
+    double sum = 0;
+    const Model model = furnished(object);
+    for (const Surface& s : model.surfaces) sum += (s.base.r + s.base.g + s.base.b) / static_cast<double>(model.surfaces.size());
+    return sum;
+  };
+  EXPECT_LT(brightness("old"), brightness("large") - 0.05);
+  EXPECT_LT(brightness("dirty"), brightness("old"));
+}
+
+// The door of an open machine is before it, over free floor.
+TEST(Furnish, OpenMachinesShowTheirInside) {
+  for (const char* kind : {"dishwasher", "oven", "fridge"}) {
+    const auto front = [&](std::vector<std::string> words) {
+      PlacedObject object = object_of(kind);
+      object.attributes = std::move(words);
+      double y = 0;
+      const Model model = furnished(object);
+      for (const Part& part : model.nodes.at(0).parts) y = std::min(y, kit::bounds(part.mesh).min.y);
+      return y;
+    };
+    EXPECT_LT(front({"open"}), front({}) - 0.35) << kind;
+  }
 }
 
 TEST(Furnish, GivesTheAskedMaterialToTheFittingPart) {

@@ -86,6 +86,7 @@ struct Node {
 struct Model {
   std::vector<Surface> surfaces;
   std::vector<Node> nodes;
+  double daylight = 1;  // a share of the usual light from without: dark rooms
 };
 
 }  // namespace layoutbox

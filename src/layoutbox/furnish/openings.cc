@@ -28,7 +28,20 @@ void add_frame(OpeningBuilder& b) {
   append(mesh, box(sides(0, b.w, 0, out, top, top + kCasing), 0.003));
   append(mesh, box(sides(kLining, b.w - kLining, -t, out, top - kLining, top), 0.002));
   // Of a window it is of the same stuff as the bars; of a door its own.
-  b.add(window || b.look.leaf == Leaf::kGlazed ? b.body("lacquer") : b.palette.named("lacquer"), std::move(mesh));
+  b.add(window || b.look.leaf == Leaf::kGlazed || b.look.leaf == Leaf::kPlanks ? b.body("lacquer") : b.palette.named("lacquer"),
+        std::move(mesh));
+}
+
+// Where nothing was said of it, as such rooms have it.
+Opening in_style(Opening opening, const Decor& decor) {
+  const std::string& words = opening.type == OpeningType::kWindow ? decor.window : decor.door;
+  if (!opening.attributes.empty() || words.empty()) return opening;
+  for (std::size_t at = 0; at < words.size();) {
+    const std::size_t end = std::min(words.find(',', at), words.size());
+    opening.attributes.push_back(words.substr(at, end - at));
+    at = end + 1;
+  }
+  return opening;
 }
 
 // Of what the wall's mesh is, for what is made to go on in it.
@@ -78,8 +91,9 @@ Vec2 WallFrame::local(Vec2 p, double offset) const {
   return {dx * along.x + dy * along.y - offset, dx * inward.x + dy * inward.y};
 }
 
-void add_openings(const Layout& layout, Palette& palette, Model& model) {
-  for (const Opening& opening : layout.room.openings) {
+void add_openings(const Layout& layout, const Decor& decor, Palette& palette, Model& model) {
+  for (const Opening& placed : layout.room.openings) {
+    const Opening opening = in_style(placed, decor);
     const Wall* wall = layout.find_wall(opening.wall);
     if (wall == nullptr || !opening.offset) continue;
     const WallFrame frame(*wall);

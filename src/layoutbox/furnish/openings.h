@@ -1,6 +1,7 @@
 // Doors, windows and open passages: what fills a wall's openings.
 #pragma once
 
+#include "layoutbox/furnish/decor.h"
 #include "layoutbox/furnish/kit.h"
 #include "layoutbox/furnish/palette.h"
 #include "layoutbox/scene/layout.h"
@@ -20,6 +21,6 @@ struct WallFrame {
   kit::Vec2 local(kit::Vec2 room_point, double offset) const;
 };
 
-void add_openings(const Layout& layout, Palette& palette, Model& model);
+void add_openings(const Layout& layout, const Decor& decor, Palette& palette, Model& model);
 
 }  // namespace layoutbox

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cctype>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -174,7 +175,21 @@ Surface colored(const NamedSurface& named, const Color& color) {
   return surface;
 }
 
-int Palette::add(const Surface& surface) {
+Surface worn(const Surface& surface, double wear) {
+  constexpr Color kGrime{0.27, 0.23, 0.18};
+  constexpr double kOnAll = 0.35, kInBlotches = 0.95;  // shares of the grime
+  if (wear <= 0 || surface.emission > 0 || surface.alpha < 1) return surface;
+  Surface old = surface;
+  old.base = mixed(surface.base, kGrime, kOnAll * wear);
+  old.second = mixed(surface.second, kGrime, kInBlotches * wear);
+  old.roughness = static_cast<float>(std::lerp(static_cast<double>(surface.roughness), 0.95, wear));
+  old.metallic = static_cast<float>(static_cast<double>(surface.metallic) * (1 - wear));
+  if (old.texture.empty() || old.texture == "plaster" || old.texture == "brushed") old.texture = "concrete", old.scale = 0.45F;
+  return old;
+}
+
+int Palette::add(const Surface& added) {
+  const Surface surface = worn(added, wear_);
   const auto same = [](const Surface& a, const Surface& b) {
     return a.base == b.base && a.second == b.second && a.roughness == b.roughness && a.metallic == b.metallic && a.alpha == b.alpha &&
            a.emission == b.emission && a.texture == b.texture && a.scale == b.scale && a.image == b.image;

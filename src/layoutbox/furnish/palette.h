@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "layoutbox/furnish/model.h"
@@ -41,14 +42,20 @@ bool is_look_word(std::string_view word);
 Surface colored(const NamedSurface& surface, const Color& color);
 Color mixed(const Color& a, const Color& b, double share_of_b);
 
+// As it is when it was used or left alone for long: browner, dull, in blotches. What shines or is seen through stays.
+Surface worn(const Surface& surface, double wear);
+
 // The surfaces of one model, each once.
 class Palette {
  public:
   int add(const Surface& surface);  // its index; one that is the same already is shared, another of the same name gets a new name
   int named(std::string_view name) { return add(named_surface(name).surface); }
+  // What is added from now on is so worn and dirty, 0 to 1; returns what it was.
+  double wear_from_now(double wear) { return std::exchange(wear_, wear); }
   std::vector<Surface> take() { return std::move(surfaces_); }
 
  private:
+  double wear_ = 0;
   std::vector<Surface> surfaces_;
 };
 

@@ -74,6 +74,8 @@ class Piece {
   std::string case_contents() const;
   // What the text says that things of its name hold ("a shelf for the toys"); empty where it says nothing.
   std::string said_contents() const;
+  // What pictures show in a room of this kind; empty: anything.
+  const std::string& pictures() const { return decor_.pictures; }
   // A colour for what nobody gave a colour; the same for all things of a kind, so that a room looks of a piece.
   Color accent() const;
   // main with that accent where no colour was asked.
@@ -142,6 +144,7 @@ void add_lamps(Families& to);
 void add_screens(Families& to);
 void add_textiles(Families& to);
 void add_wall_things(Families& to);
+void add_pictures(Families& to);
 void add_plants(Families& to);
 void add_lounge(Families& to);
 void add_kitchen(Families& to);

@@ -148,6 +148,9 @@ void add_wall(const Layout& layout, const Decor& decor, std::size_t index, Palet
     for (Vec2f& uv : body.uvs) std::swap(uv[0], uv[1]);
   }
   node.parts.push_back({std::move(body), palette.add(surface)});
+  // Brick, stone, tiles and concrete have none.
+  const bool bare = surface.texture == "bricks" || surface.texture == "tiles" || surface.name == "concrete";
+  if (!decor.skirting || bare) skirting.clear();
   Mesh boards;
   for (const auto& [a, b] : skirting) {
     if (b - a > 0.02) kit::append(boards, kit::box(kit::sides(a, b, 0, 0.012, 0, 0.08), 0.004));
@@ -172,7 +175,7 @@ void add_room_shell(const Layout& layout, const Decor& decor, Palette& palette, 
   if (layout.room.polygon.size() < 3) return;
   add_floor(layout, decor, palette, model);
   for (std::size_t i = 0; i < layout.room.walls.size(); ++i) add_wall(layout, decor, i, palette, model);
-  add_openings(layout, palette, model);
+  add_openings(layout, decor, palette, model);
   add_ceiling(layout, palette, model);
 }
 

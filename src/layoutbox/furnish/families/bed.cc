@@ -271,10 +271,9 @@ void crib(Piece& p) {
   const double floor = std::min(under + 0.06, top - 0.025);
   p.add(wood, box(sides(-p.w / 2 + 0.004, p.w / 2 - 0.004, -p.d / 2 + 0.004, p.d / 2 - 0.004, under, floor), 0.004));
   p.add(white, rounded_box(sides(-p.w / 2 + t, p.w / 2 - t, -p.d / 2 + t, p.d / 2 - t, floor, top - (top > 0.2 ? 0.02 : 0)), 0.02, 2));
-  if (top > 0.2) {
-    p.add(blanket, rounded_box(sides(-p.w / 2 + t, p.w / 2 - t, -p.d / 2 + t, p.d * 0.05, top - 0.06, top), 0.018, 2));
-    p.add(white, pillow(sides(-p.w * 0.3, p.w * 0.3, p.d / 2 - 0.34, p.d / 2 - 0.08, top - 0.045, top), 6));
-  }
+  // A fitted sheet with a band of colour; a baby sleeps without pillow and quilt.
+  if (top > 0.2)
+    p.add(blanket, rounded_box(sides(-p.w / 2 + t, p.w / 2 - t, -p.d / 2 + t, -p.d / 2 + t + p.d * 0.16, top - 0.03, top), 0.012, 2));
   const auto rails = [&](bool along_x, double at) {
     const double half = (along_x ? p.w : p.d) / 2 - t;
     const auto bar = [&](double a0, double a1, double z0, double z1, double thick) {

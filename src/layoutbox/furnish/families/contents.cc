@@ -381,15 +381,44 @@ void seedlings(Piece& p, const Box& room) {
   }
 }
 
+// A folded duvet with a pillow on it, at one end: what makes a bed of a sofa.
+void folded_bedding(Piece& p, const Box& room) {
+  const Vec size = room.size();
+  const double x0 = room.min.x + 0.02, x1 = x0 + std::min(0.6, size.x * 0.4), y0 = room.min.y + 0.06, y1 = room.max.y - 0.04;
+  const int duvet = p.tinted("cotton", mixed(p.accent(), {0.95, 0.94, 0.92}, 0.35)), white = p.named("cotton");
+  double z = room.min.z;
+  for (const int cloth : {white, duvet, duvet}) {
+    p.add(cloth, rounded_box(sides(x0, x1, y0, y1, z, z + 0.06), 0.028, 3));
+    z += 0.058;
+  }
+  if (size.z > 0.32) p.add(white, pillow(sides(x0 + 0.03, x1 - 0.03, y0 + 0.06, y1 - 0.02, z - 0.01, z + 0.12), 8));
+}
+
 }  // namespace
 
 ShelfContents contents_named(std::string_view name) {
-  static const std::map<std::string_view, ShelfContents> kinds = {
-      {"books", books},     {"goods", goods},         {"bottles", bottles},       {"towels", towels},    {"boxes", boxes},
-      {"binders", binders}, {"wine", lying_bottles},  {"clothes", clothes},       {"shoes", shoe_pairs}, {"jars", jars},
-      {"toys", toys},       {"fabric", fabric},       {"detergents", detergents}, {"threads", threads},  {"pastries", pastries},
-      {"meat", meat},       {"glassware", glassware}, {"medicines", medicines},   {"flowers", flowers},  {"seedlings", seedlings},
-      {"none", nullptr}};
+  static const std::map<std::string_view, ShelfContents> kinds = {{"books", books},
+                                                                  {"goods", goods},
+                                                                  {"bottles", bottles},
+                                                                  {"towels", towels},
+                                                                  {"boxes", boxes},
+                                                                  {"binders", binders},
+                                                                  {"wine", lying_bottles},
+                                                                  {"clothes", clothes},
+                                                                  {"shoes", shoe_pairs},
+                                                                  {"jars", jars},
+                                                                  {"toys", toys},
+                                                                  {"fabric", fabric},
+                                                                  {"detergents", detergents},
+                                                                  {"threads", threads},
+                                                                  {"pastries", pastries},
+                                                                  {"meat", meat},
+                                                                  {"glassware", glassware},
+                                                                  {"medicines", medicines},
+                                                                  {"flowers", flowers},
+                                                                  {"seedlings", seedlings},
+                                                                  {"bedding", folded_bedding},
+                                                                  {"none", nullptr}};
   const auto found = kinds.find(name);
   return found == kinds.end() ? books : found->second;
 }

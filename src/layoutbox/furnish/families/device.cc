@@ -75,7 +75,8 @@ void fireplace(Piece& p) {
   const int stone = p.main("stone"), inside = p.named("slate"), ember = p.named("ember"), wood = p.named("walnut");
   const double shelf = std::min(0.08, p.h * 0.08), deep = std::min(0.06, p.d * 0.2), side = p.w * 0.2, top = p.h * 0.68,
                hearth = std::min(0.1, p.h * 0.1);
-  p.add(stone, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, p.h - shelf, p.h), 0.012));
+  const int mantel = p.says("brick") ? p.named("oak") : stone;  // a board
+  p.add(mantel, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, p.h - shelf, p.h), 0.012));
   for (const double s : {-1.0, 1.0})
     p.add(stone, box(sides(s > 0 ? p.w / 2 - side : -p.w / 2 + 0.02, s > 0 ? p.w / 2 - 0.02 : -p.w / 2 + side, -p.d / 2 + deep, p.d / 2, 0,
                            p.h - shelf),

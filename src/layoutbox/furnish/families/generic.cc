@@ -43,6 +43,7 @@ const Families& families() {
     add_screens(f);
     add_textiles(f);
     add_wall_things(f);
+    add_pictures(f);
     add_plants(f);
     add_lounge(f);
     add_kitchen(f);

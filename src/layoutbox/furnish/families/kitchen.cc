@@ -37,6 +37,10 @@ void fridge(Piece& p) {
   const int steel = p.main("steel"), bar = p.named("chrome");
   machine_body(p, steel, sides(-p.w / 2, p.w / 2, -p.d / 2 + 0.075, p.d / 2, 0, p.h));
   const double low = std::min(0.06, p.h * 0.08), split = p.h > 1.2 ? low + (p.h - low) * 0.36 : p.h;
+  if (p.says("open")) {
+    open_inside(p, low + 0.04, p.h - 0.04, -p.d / 2 + 0.075, true);
+    return swung_door(p, steel, low, p.h, -p.d / 2 + 0.075, p.w - 0.004);
+  }
   const bool wide = p.w > 0.85;
   const auto door = [&](double x0, double x1, double z0, double z1, bool handle_right) {
     p.add(steel, rounded_box(sides(x0 + 0.002, x1 - 0.002, -p.d / 2 + 0.03, -p.d / 2 + 0.08, z0 + 0.003, z1 - 0.003), 0.01, 2));
@@ -94,7 +98,12 @@ void oven(Piece& p) {
   const int steel = p.main("steel"), face_surface = p.named("black_plastic");
   const double face = -p.d / 2 + std::min(0.035, p.d * 0.1);
   p.add(steel, box(sides(-p.w / 2, p.w / 2, face, p.d / 2, 0, p.h), 0.006));
-  oven_front(p, 0, p.h * 0.82, face);
+  if (p.says("open")) {
+    open_inside(p, p.h * 0.06, p.h * 0.8, face, false);
+    dropped_door(p, face_surface, p.h * 0.02, p.h * 0.78, face, false);
+  } else {
+    oven_front(p, 0, p.h * 0.82, face);
+  }
   p.add(p.named("lit_screen"), box(sides(-0.05, 0.05, face - 0.003, face + 0.01, p.h * 0.88, p.h * 0.94), 0.001));
   for (const double s : {-1.0, 1.0}) dial(p, face_surface, {s * p.w * 0.32, face + 0.002, p.h * 0.9}, std::min(0.02, p.h * 0.04), 0.02);
 }
@@ -103,6 +112,10 @@ void dishwasher(Piece& p) {
   const int body = p.main("steel");
   const double face = -p.d / 2 + 0.03;
   machine_body(p, body, sides(-p.w / 2, p.w / 2, face + 0.02, p.d / 2, 0, p.h), 0.006);
+  if (p.says("open")) {
+    open_inside(p, p.h * 0.12, p.h - 0.03, face + 0.02, false);
+    return dropped_door(p, body, p.h * 0.1, p.h * 0.86, face + 0.02, true);
+  }
   p.add(body, box(sides(-p.w / 2 + 0.003, p.w / 2 - 0.003, face, face + 0.022, p.h * 0.1, p.h - 0.003), 0.005));
   handle(p, p.named("chrome"), Handle::kHorizontal, {0, face, p.h * 0.86}, p.w * 0.7, 0.03);
   p.add(p.named("screen"), box(sides(-p.w * 0.15, p.w * 0.15, face - 0.002, face + 0.004, p.h * 0.93, p.h * 0.96), 0));

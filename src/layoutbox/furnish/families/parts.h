@@ -53,6 +53,15 @@ ShelfContents contents_of(const Piece& p);
 // … by its word in decor.json; books where no such word is known.
 ShelfContents contents_named(std::string_view name);
 
+// A frame of four bars round a rectangle on a wall; what it holds lies between its front and back.
+void picture_frame(Piece& p, int surface, double width);
+
+// The inside of a machine whose door stands open, between z0 and z1 behind its front at `face`.
+void open_inside(Piece& p, double z0, double z1, double face, bool cold);
+// A door that dropped open before a machine, lying level at z, with the rack drawn out over it; one that swung open at the left edge.
+void dropped_door(Piece& p, int surface, double z, double high, double face, bool rack);
+void swung_door(Piece& p, int surface, double z0, double z1, double face, double wide);
+
 // Chairs of wicker are of a build of their own.
 bool is_wicker(const Piece& p);
 void wicker_chair(Piece& p);

@@ -222,9 +222,36 @@ void blind(Piece& p) {
   }
 }
 
-void cushion_piece(Piece& p) { p.add(p.main_accent("linen"), pillow(p.body(), 12)); }
+// Lying, or upright against a back.
+void cushion_piece(Piece& p) {
+  const int cloth = p.main_accent("linen");
+  if (p.h <= p.d * 1.2) return p.add(cloth, pillow(p.body(), 12));
+  const Pose upright{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}, {0, 0, p.h / 2}};
+  p.add(cloth, pillow(sides(-p.w / 2, p.w / 2, -p.h / 2, p.h / 2, -p.d / 2, p.d / 2), 12), upright);
+}
+
+// A throw laid over a seat: a long strip with bands across its ends and a fringe at each, in a fold or two.
+void throw_over(Piece& p) {
+  const int cloth = p.main_accent("wool"), band = p.tinted("wool", {0.93, 0.90, 0.83});
+  const double fringe = p.d * 0.08, y0 = -p.d / 2 + fringe, y1 = p.d / 2 - fringe, low = p.h * 0.55;
+  p.add(cloth, rounded_box(sides(-p.w / 2, p.w / 2, y0, y1, 0, low), low * 0.4, 2));
+  p.add(cloth, rounded_box(sides(-p.w / 2, p.w * 0.12, y0 + 0.01, y1 - 0.02, low * 0.6, p.h), low * 0.4, 2));
+  for (const double s : {-1.0, 1.0}) {
+    for (const double share : {0.30, 0.36})
+      p.add(band, rounded_box(sides(-p.w / 2 - 0.001 + 0.002, p.w / 2 - 0.001, s * p.d * share - 0.012, s * p.d * share + 0.012, 0.001,
+                                    low + 0.002),
+                              low * 0.4, 2));
+    const int threads = std::max(4, static_cast<int>(p.w / 0.02));
+    for (int i = 0; i < threads; ++i) {
+      const double x = -p.w / 2 + p.w * (i + 0.5) / threads;
+      const double from = s < 0 ? -p.d / 2 : y1 - 0.004, to = s < 0 ? y0 + 0.004 : p.d / 2;
+      p.add(cloth, box(sides(x - 0.004, x + 0.004, from, to, 0, std::min(0.008, low * 0.5)), 0));
+    }
+  }
+}
 
 void blanket(Piece& p) {
+  if (p.h < 0.07 && p.d > p.w * 1.3) return throw_over(p);
   const int cloth = p.main_accent("wool"), n = p.h > 0.06 ? std::clamp(static_cast<int>(p.h / 0.03), 2, 6) : 1;
   for (int i = 0; i < n; ++i) {
     const double in = i == 0 ? 0 : 0.006;

@@ -5,10 +5,9 @@
 #include "layoutbox/furnish/families/parts.h"
 
 namespace layoutbox::kit {
-namespace {
 
 // A frame of four bars round a rectangle; what it holds lies between its front and back.
-void frame(Piece& p, int surface, double width) {
+void picture_frame(Piece& p, int surface, double width) {
   const double x = p.w / 2, t = std::min({width, p.w * 0.2, p.h * 0.2});
   p.add(surface, box(sides(-x, x, -p.d / 2, p.d / 2, 0, t), 0.003));
   p.add(surface, box(sides(-x, x, -p.d / 2, p.d / 2, p.h - t, p.h), 0.003));
@@ -16,50 +15,7 @@ void frame(Piece& p, int surface, double width) {
   p.add(surface, box(sides(x - t, x, -p.d / 2, p.d / 2, t, p.h - t), 0.003));
 }
 
-// Simple compositions: hills and a sun, blocks of colour, arches.
-void picture(Piece& p) {
-  const std::string said = p.word("kind", "");
-  // Posters and canvases have no frame.
-  const bool bare = said == "poster" || said == "canvas";
-  const double t = bare ? 0 : std::min({0.025, p.w * 0.2, p.h * 0.2}), y = -p.d / 2 + std::min(bare ? 0.003 : 0.006, p.d * 0.45);
-  if (!bare) frame(p, p.frame("walnut"), t);
-  const double x0 = -p.w / 2 + t, x1 = p.w / 2 - t, z0 = t, z1 = p.h - t, cw = x1 - x0, ch = z1 - z0;
-  const Color accent = p.color_asked() ? Color{0.45, 0.5, 0.55} : p.accent();
-  p.add(p.main("paper"), box(sides(x0, x1, y, p.d / 2 - 0.001, z0, z1), 0));
-  // Painted shapes stand a hair before the canvas, so that no faces coincide.
-  const auto paint = [&](const Color& color, const std::vector<Vec2>& outline, int layer) {
-    std::vector<Vec2> placed;
-    for (const Vec2 q : outline) placed.push_back({x0 + cw * std::clamp(q.x, 0.02, 0.98), z0 + ch * std::clamp(q.y, 0.02, 0.98)});
-    const Pose upright{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}, {0, y, 0}};
-    p.add(p.tinted("paper", color), prism(placed, -0.0002, std::min(0.0006, p.d * 0.06) * layer), upright);
-  };
-  const Color deep = mixed(accent, {0.1, 0.12, 0.16}, 0.5), warm{0.86, 0.58, 0.36}, pale{0.90, 0.84, 0.74};
-  const int kind = said == "abstract" ? 1 : p.pick(3);
-  if (kind == 0) {
-    paint(mixed(accent, {0.9, 0.93, 0.96}, 0.75), {{0, 0.3}, {1, 0.3}, {1, 1}, {0, 1}}, 1);
-    const double r = 0.1;
-    paint(warm, ellipse({p.random(0.3, 0.7), 0.72}, {r * std::min(1.0, ch / cw), r * std::min(1.0, cw / ch)}, 24), 2);
-    for (int k = 0; k < 3; ++k) {
-      std::vector<Vec2> hill{{0, 0}, {1, 0}};
-      const double phase = p.random(0, 6), level = 0.5 - 0.15 * k;
-      for (int i = 12; i >= 0; --i) hill.push_back({i / 12.0, level + 0.07 * std::sin(phase + i * 0.6)});
-      paint(mixed(accent, deep, k / 2.0), hill, 3 + k);
-    }
-  } else if (kind == 1) {
-    const double a = p.random(0.35, 0.6), b = p.random(0.4, 0.65);
-    paint(accent, {{0.06, 0.06}, {a, 0.06}, {a, b}, {0.06, b}}, 1);
-    paint(warm, {{a + 0.03, 0.06}, {0.94, 0.06}, {0.94, b - 0.12}, {a + 0.03, b - 0.12}}, 1);
-    paint(deep, {{a - 0.1, b + 0.03}, {0.94, b + 0.03}, {0.94, 0.94}, {a - 0.1, 0.94}}, 1);
-    paint(pale, {{0.06, b + 0.03}, {a - 0.13, b + 0.03}, {a - 0.13, 0.94}, {0.06, 0.94}}, 1);
-  } else {
-    for (int k = 0; k < 3; ++k) {
-      const double r = 0.42 - 0.12 * k;
-      std::vector<Vec2> arch{{0.5 - r, 0.08}, {0.5 + r, 0.08}};
-      for (int i = 0; i <= 14; ++i) arch.push_back({0.5 + r * std::cos(kPi * i / 14), 0.45 + r * std::sin(kPi * i / 14)});
-      paint(k == 0 ? accent : k == 1 ? pale : warm, arch, 1 + k);
-    }
-  }
-}
+namespace {
 
 void mirror(Piece& p) {
   const int rim = p.main("oak"), glass = p.named("mirror");
@@ -89,7 +45,7 @@ void mirror(Piece& p) {
     p.add(glass, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2 - back, 0, p.h), 0.002));
     return;
   }
-  frame(p, rim, t);
+  picture_frame(p, rim, t);
   p.add(glass, box(sides(-p.w / 2 + t, p.w / 2 - t, y, p.d / 2 - 0.001, t, p.h - t), 0));
 }
 
@@ -147,7 +103,7 @@ void board(Piece& p) {
   const std::string kind = p.word("kind", p.says("cork") || p.says("bulletin") ? "cork"
                                           : p.says("black") || p.says("chalk") ? "chalk"
                                                                                : "white");
-  frame(p, p.frame(kind == "white" ? "steel" : "oak"), 0.02);
+  picture_frame(p, p.frame(kind == "white" ? "steel" : "oak"), 0.02);
   const double t = std::min({0.02, p.w * 0.2, p.h * 0.2});
   const int face = kind == "cork"    ? p.named("cork")
                    : kind == "peg"   ? p.tinted("lacquer", {0.80, 0.66, 0.46})
@@ -180,7 +136,6 @@ void wall_shelf(Piece& p) {
 }  // namespace
 
 void add_wall_things(Families& to) {
-  to["picture"] = picture;
   to["mirror"] = mirror;
   to["board"] = board;
   to["wall_shelf"] = wall_shelf;

@@ -27,6 +27,7 @@
 #include "layoutbox/plan/offline/said_counts.h"
 #include "layoutbox/plan/offline/slopes.h"
 #include "layoutbox/plan/offline/spelling.h"
+#include "layoutbox/plan/offline/states.h"
 #include "layoutbox/plan/offline/uses.h"
 #include "layoutbox/plan/offline/wall_lists.h"
 #include "layoutbox/plan/offline/wishes.h"
@@ -103,6 +104,7 @@ class OfflinePlanner final : public Planner {
     settle_filling_counts(lexicon_, document);
     read_document(lexicon_, document);
     if (is_set(document.stop)) return stopped();
+    settle_states(lexicon_, document);
     find_zones(lexicon_, document);
     settle_built_ins(lexicon_, document);
     add_for_people(lexicon_, document);

@@ -368,6 +368,23 @@ TEST_F(OfflinePlannerTest, StorageAtAnEndOfTheRoomStandsAtItsWall) {
   EXPECT_FALSE(at_wall(scene("A hall with a stool at the back.")));
 }
 
+// "A chair tipped over", "six beds, two of them overturned": how things are, said after them.
+TEST_F(OfflinePlannerTest, StatesGoToTheThingsBeforeThem) {
+  const auto how_many = [&](const std::string& text, const std::string& category, const std::string& state) {
+    const SceneGraph read = scene(text);
+    return std::ranges::count_if(read.objects, [&](const SceneObject& object) {
+      return object.category == category && std::ranges::find(object.attributes, state) != object.attributes.end();
+    });
+  };
+  EXPECT_EQ(how_many("A dining room with a table, six chairs, one chair tipped over on the floor.", "chair", "overturned"), 1);
+  EXPECT_EQ(how_many("A ward with six rusty beds, two of them overturned, and a wheelchair.", "hospital_bed", "overturned"), 2);
+  EXPECT_EQ(how_many("A ward with four iron beds, one overturned, and a wheelchair.", "hospital_bed", "overturned"), 1);
+  EXPECT_EQ(how_many("A kitchen with a dishwasher with its door open and an oven.", "dishwasher", "open"), 1);
+  EXPECT_EQ(how_many("A kitchen with a dishwasher with its door open and an oven.", "oven", "open"), 0);
+  EXPECT_EQ(how_many("A kitchen where the dishwasher is open.", "dishwasher", "open"), 1);
+  EXPECT_EQ(how_many("A study with a desk and open shelves.", "desk", "open"), 0);
+}
+
 TEST_F(OfflinePlannerTest, AnyWordsGiveASoundScene) {
   const std::vector<std::string> words = {"a",          "the",         "bed",     "two",   "chairs",   "on",     "with", "and",
                                           ",",          ".",           "it",      "them",  "each",     "one",    "of",   "which",

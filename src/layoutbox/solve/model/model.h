@@ -72,7 +72,8 @@ struct Item {
   int support_constraint = -1;
   int clearance_constraint = -1;  // openings: the implied constraint whose giving up frees their clear box
   bool is_opening() const { return opening != nullptr; }
-  bool is(Trait trait) const { return entry != nullptr && entry->is(trait); }
+  bool toppled = false;  // lies on its side: it is of no use, and so nothing that its kind is
+  bool is(Trait trait) const { return entry != nullptr && !toppled && entry->is(trait); }
   std::uint64_t states_at(int turn) const;
   // Bounds over all states.
   Mm least_extent(int axis) const;

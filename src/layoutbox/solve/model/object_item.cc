@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "layoutbox/catalog/toppled.h"
 #include "layoutbox/scene/relation_traits.h"
 #include "layoutbox/solve/priors/guide.h"
 
@@ -293,6 +294,7 @@ Item object_item(const SceneGraph& scene, const SceneObject& object, const Catal
   item.object = &object;
   item.entry = &catalog.entry_or_nearest(object.category);
   item.mount = mount_of(scene, object, *item.entry);
+  item.toppled = is_toppled(object.attributes, item.mount);
   item.usual_mount = object.mount.value_or(item.entry->mount);
   item.has_front = item.entry->has_front || told_to_look(scene, item);
   item.thin = item.entry->thin && object.size->usual.height <= kThin && item.mount == Mount::kFloor && !rests_on_others(scene, object.id);

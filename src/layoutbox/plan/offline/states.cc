@@ -1,0 +1,76 @@
+#include "layoutbox/plan/offline/states.h"
+
+#include <algorithm>
+#include <string>
+
+#include "layoutbox/base/words.h"
+#include "layoutbox/catalog/word_lists.h"
+#include "layoutbox/plan/offline/noun_phrase.h"
+
+namespace layoutbox::offline {
+namespace {
+
+constexpr std::size_t kStateReach = 6;  // words from a thing to its state
+
+// The attribute for the state that is said at token `at`; empty where none is.
+std::string state_at(const std::vector<Token>& tokens, std::size_t at) {
+  for (const WordList::Member state : word_list("words_attributes").at("states")) {
+    for (const WordList::Member phrase : state.value) {
+      const std::vector<std::string> words = words_of(phrase.value.text());
+      const auto is_said = [&](std::size_t k) { return at + k < tokens.size() && tokens[at + k].text == words[k]; };
+      std::size_t same = 0;
+      while (same < words.size() && is_said(same)) ++same;
+      if (same == words.size()) return std::string(state.key);
+    }
+  }
+  return {};
+}
+
+struct StateSaid {
+  std::string attribute;
+  int of_them = 0;  // 0: all
+};
+
+// After a thing, up to the next one or the end of the clause; beyond a comma only with a number: "six beds, two of them overturned".
+StateSaid state_after(const Lexicon& lexicon, const std::vector<Token>& tokens, std::size_t from, std::size_t next) {
+  int of_them = 0;
+  bool parted = false;
+  for (std::size_t at = from; at < std::min({tokens.size(), next, from + kStateReach}); ++at) {
+    const Token& token = tokens[at];
+    if (token.kind == Token::Kind::kPunctuation) {
+      if (parted || token.text != ",") return {};
+      parted = true;
+      continue;
+    }
+    if (const NumberRead number = read_number(lexicon, tokens, at); number.length > 0) {
+      of_them = static_cast<int>(number.value);
+      continue;
+    }
+    if (parted && of_them == 0) return {};
+    if (const std::string state = state_at(tokens, at); !state.empty()) return {state, of_them};
+  }
+  return {};
+}
+
+}  // namespace
+
+void settle_states(const Lexicon& lexicon, Document& document) {
+  for (const Mention& mention : document.mentions) {
+    if (mention.items.empty() || mention.noun.last == 0) continue;
+    std::size_t next = document.tokens.size();
+    for (const Mention& other : document.mentions) {
+      const bool thing = !other.items.empty() && other.items != mention.items;
+      if (thing && other.noun.first >= mention.noun.last) next = std::min(next, other.noun.first);
+    }
+    const StateSaid said = state_after(lexicon, document.tokens, mention.introduces ? mention.noun.last : mention.noun.first, next);
+    if (said.attribute.empty()) continue;
+    const std::size_t all = mention.items.size();
+    const std::size_t some = said.of_them > 0 ? std::min(all, static_cast<std::size_t>(said.of_them)) : all;
+    for (std::size_t i = all - some; i < all; ++i) {
+      std::vector<std::string>& attributes = document.items[static_cast<std::size_t>(mention.items[i])].noun.attributes;
+      if (std::ranges::find(attributes, said.attribute) == attributes.end()) attributes.push_back(said.attribute);
+    }
+  }
+}
+
+}  // namespace layoutbox::offline
