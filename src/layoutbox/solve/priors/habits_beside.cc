@@ -28,7 +28,7 @@ bool Habits::stand_beside(int item) {
   std::erase_if(hosts, [&](int h) { return model_.items[h].entry != model_.items[hosts[0]].entry; });
   const int host = hosts[rank_of(item) % static_cast<int>(hosts.size())];
   const int number = static_cast<int>(hosts.size());
-  if (!sit_at(item, host, number)) stand_at(item, host, number);
+  if (!sit_at(item, host, number) && !sit_round_sofa(item, host)) stand_at(item, host, number);
   return true;
 }
 
@@ -271,8 +271,9 @@ void Habits::stand_before_middle(int item, int host) {
   habit("before the middle", item, kBeside, std::move(f), {host});
 }
 
-// Two of a kind by the same host stand one at each side: nightstands, speakers, plants.
+// Two of a kind by the same host stand one at each side, as far from its middle: nightstands, speakers, plants.
 void Habits::flank(int item, int host, int hosts) {
+  constexpr int kEven = 200;  // points a metre
   const int rank = rank_of(item);
   if (rank / hosts % 2 == 0) return;
   int twin = 0;
@@ -283,7 +284,8 @@ void Habits::flank(int item, int host, int hosts) {
     const Direction right = side_direction(model_.items[host], Side::kRight, turn);
     for (const int sign : {1, -1}) {
       const auto beyond = [&](int one, int towards) { return towards * (mid2(one, right.axis) - mid2(host, right.axis)); };
-      f.add().when(host, states).require(beyond(item, sign)).require(beyond(twin, -sign));
+      Case& c = f.add().when(host, states).require(beyond(item, sign)).require(beyond(twin, -sign));
+      c.wish(mid2(item, right.axis) + mid2(twin, right.axis) - 2 * mid2(host, right.axis), kEven, 2);
     }
   });
   habit("other side", item, kBeside, std::move(f), {host, twin});

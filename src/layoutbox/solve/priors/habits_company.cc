@@ -108,7 +108,8 @@ bool Habits::look_at(int item, bool leads, const std::vector<int>& crowd) {
       continue;
     Formula f;
     crowd.empty() ? add_looks_at(f, model_, item, other, looking_side(model_, item)) : add_looks_with_group(f, model_, item, crowd, other);
-    if (self.is(Trait::kEasySeat) && !related(item, other) && !model_.items[seen_one].is(Trait::kScreen)) {
+    if (self.is(Trait::kEasySeat) && !related(item, other) && !model_.items[seen_one].is(Trait::kScreen) &&
+        !model_.items[other].is(Trait::kCenterPiece)) {
       for (Case& c : f.cases) {  // near enough to put a cup down
         for (int axis = 0; axis < 2; ++axis) c.wish(mid2(item, axis) - mid2(other, axis), 60, 2);
       }
