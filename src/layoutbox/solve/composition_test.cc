@@ -107,6 +107,24 @@ TEST(Composition, ATelevisionDoesNotHangBehindTheOpenDoor) {
   EXPECT_FALSE(behind) << tv.position[0] << ' ' << tv.position[1];
 }
 
+TEST(Composition, EasyChairsShareTheLowTablesOut) {
+  const Layout layout =
+      solved_as_asked(SceneMaker(7000, 6000).add("reception_desk").add("sofa", 2).add("armchair", 4).add("coffee_table", 2).make(true));
+  for (int i = 1; i <= 4; ++i) {
+    const std::string chair = "armchair_" + std::to_string(i), table = "coffee_table_" + std::to_string((i + 1) / 2);
+    EXPECT_LT(std::hypot(from(layout, table, chair).x, from(layout, table, chair).y), 1800) << chair;
+  }
+}
+
+TEST(Composition, ChairsWithoutATableTouchTheWall) {
+  const Layout layout = solved_as_asked(SceneMaker(4100, 3700).add("chair", 4).add("bookshelf").add("toy_chest").make(true));
+  for (int i = 1; i <= 4; ++i) {
+    const PlacedObject& chair = *layout.find_object("chair_" + std::to_string(i));
+    const double x = chair.position[0], y = chair.position[1];
+    EXPECT_LT(std::min({x, y, 4100 - x, 3700 - y}), chair.size.depth / 2.0 + 30) << i;
+  }
+}
+
 TEST(Composition, ALowBenchTouchesItsWall) {
   const Layout layout = solved_as_asked(SceneMaker(3600, 1800).add("bench").add("console_table").add("shoe_rack").make(true));
   const PlacedObject& bench = *layout.find_object("bench_1");

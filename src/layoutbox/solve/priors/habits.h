@@ -161,6 +161,7 @@ class Habits {
   std::vector<int> hosts_beside(int item) const;
   std::optional<int> told_host(int item, const std::vector<int>& hosts) const;
   bool told_to_sit_elsewhere(int item) const;
+  int low_table_of(int item) const;
   bool sit_near_low_table(int item);
   void leave_seated_to_their_seats(std::vector<int>& hosts, int item) const;
   bool sit_at(int item, int host, int hosts);

@@ -82,16 +82,22 @@ bool Habits::told_to_sit_elsewhere(int item) const {
   return (self.is(Trait::kTableSeat) && placed_besides_facing(item)) || (self.is(Trait::kEasySeat) && told_away_from_group(item));
 }
 
+// The low table that an easy chair sits at where words put it at none: of several its share of them; -1: there is none.
+int Habits::low_table_of(int item) const {
+  if (!model_.items[item].is(Trait::kEasySeat)) return -1;
+  std::vector<int> tables = items_of_kinds(model_.items[item].entry->faces, item);
+  std::erase_if(tables, [&](int other) { return !model_.items[other].is(Trait::kCoffeeTable); });
+  if (tables.empty()) return -1;
+  int seats = 0;
+  for (const Item& other : model_.items) seats += other.entry == model_.items[item].entry;
+  return tables[static_cast<std::size_t>(rank_of(item)) * tables.size() / static_cast<std::size_t>(seats)];
+}
+
 bool Habits::sit_near_low_table(int item) {
-  const Item& self = model_.items[item];
-  if (!self.is(Trait::kEasySeat)) return false;
-  for (const int other : items_of_kinds(self.entry->faces, item)) {
-    if (!model_.items[other].is(Trait::kCoffeeTable)) continue;
-    if (!only_near(item, other)) return false;
-    sit_round_low_table(item, other);
-    return true;
-  }
-  return false;
+  const int table = low_table_of(item);
+  if (table < 0 || !only_near(item, table)) return false;
+  sit_round_low_table(item, table);
+  return true;
 }
 
 // A stool goes to the counter where the tables have their chairs.

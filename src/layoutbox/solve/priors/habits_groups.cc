@@ -69,9 +69,10 @@ int Habits::table_served_by(int item) const {
   return table;
 }
 
-// A sideboard has its middle before that of its table.
+// A sideboard has its middle before that of its table, and no window behind what it carries.
 void Habits::stand_in_table_axis(int item) {
-  constexpr int kInAxis = 120;  // points a metre
+  constexpr int kInAxis = 120, kClearOfWindow = 100;  // points a metre
+  constexpr Mm kBehind = 400;
   const int table = table_served_by(item);
   if (table < 0) return;
   Formula f;
@@ -80,6 +81,18 @@ void Habits::stand_in_table_axis(int item) {
     f.add().when(item, states_with_back_to(model_.items[item], wall)).wish(mid2(item, wall.along) - mid2(table, wall.along), kInAxis, 2);
   }
   if (!f.cases.empty()) habit("in the table's axis", item, kInAxis, std::move(f), {table});
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const int window = static_cast<int>(i);
+    if (!model_.items[i].is_opening() || model_.items[i].opening->type != OpeningType::kWindow) continue;
+    Formula clear;
+    for_each_turn(model_.items[i], [&](int turn, std::uint64_t states) {
+      if (turn % 90 != 0) return;
+      const Direction front = side_direction(model_.items[i], Side::kFront, turn);
+      clear.add().when(window, states).require(gap_towards(item, window, front) - Linear(kBehind));
+      for (const int sign : {1, -1}) clear.add().when(window, states).require(gap_towards(item, window, {across(front), sign}));
+    });
+    if (!clear.cases.empty()) habit("clear of the window", item, kClearOfWindow, std::move(clear));
+  }
 }
 
 // The relation by which it parts two groups of the room: a shelf between the bed and the sofa. Null: none.

@@ -28,8 +28,8 @@ void Habits::back_to_wall(int item, int weight) {
       (model_.items[item].is(Trait::kCenterPiece) || is_looked_at(item) || is_platform(model_.items[item])) && alike <= 1 && !narrow_bed;
   // In a corner it gives up the free floor at one side, and keeps that at the other.
   const std::map<Side, Mm>& wanted = model_.items[item].entry->clearance;
-  // What rocks keeps the room for that; where one serves over it the wall is the guests'.
-  const bool rocks = model_.items[item].is(Trait::kSeat) && wanted.contains(Side::kBack);
+  // What rocks or leans back keeps the room for that.
+  const bool rocks = model_.items[item].is(Trait::kEasySeat) && wanted.contains(Side::kBack);
   const Mm behind = rocks ? wanted.at(Side::kBack) : kFlushInCorner;
   const int for_side = wanted.contains(Side::kLeft) && wanted.contains(Side::kRight) ? kCostWeights.wanted : 0;
   const int to_corner = narrow_bed ? kBedToCorner + for_side : ends_run(item) ? kTallToCorner : keeps_to_corner(item) ? kToCorner : 0;
