@@ -31,6 +31,7 @@ struct Companion {
   bool anywhere = false;            // in the room, not beside it
   std::vector<std::string> unless;  // not where one of these kinds is there
   std::vector<std::string> rooms;   // in these kinds of room only; empty: in all
+  Mm both_sides_from = 0;           // by what is that wide twice as many; 0: by none
 };
 
 // Over what a thing usually hangs, or under what it lies; best first.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <tuple>
 #include <utility>
 
@@ -31,9 +32,9 @@ namespace {
 constexpr Mm kSmallestRoom = 500, kLargestRoom = 100'000, kLowestRoom = 500, kHighestRoom = 50'000;
 constexpr Size kOrdinaryRoom{4000, 3500, 2600};
 // Furniture that stands on the floor of a room whose size is ours to choose covers at most this share of it.
-constexpr double kMostCovered = 0.32;
-// The same with the free floor that the catalogue wants at its sides; neighbours may share some of that.
-constexpr double kMostUsed = 0.58;
+constexpr double kMostCovered = 0.36;
+// The same with the free floor that the catalogue wants at its sides; neighbours may share some of that, those of a crowd less.
+constexpr double kMostUsed = 0.68, kMostUsedByCrowd = 0.58, kMostCoveredByCrowd = 0.32;
 // … and at least this share of an ordinary room's, down to so much of its area: few things are lost in a room for many.
 constexpr double kLeastUsed = 0.38, kSmallestShare = 0.42, kSmallestArea = 12e6;  // mm²
 constexpr Mm kUnderRidge = 2750;                                                  // of rooms whose ceiling comes down somewhere
@@ -196,7 +197,19 @@ class RoomNormalizer {
     const double least = may_shrink ? std::sqrt(std::clamp(used * factor / kLeastUsed / area,
                                                            std::min(1.0, std::max(kSmallestShare, factor * kSmallestArea / area)), 1.0))
                                     : 1.0;
-    return std::max({least, std::sqrt(covered / kMostCovered / area), std::sqrt(used / kMostUsed / area), (longest + 600) / longest_side});
+    const bool crowd = holds_crowd();
+    return std::max({least, std::sqrt(covered / (crowd ? kMostCoveredByCrowd : kMostCovered) / area),
+                     std::sqrt(used / (crowd ? kMostUsedByCrowd : kMostUsed) / area), (longest + 600) / longest_side});
+  }
+
+  // A ward's beds, a cafe's tables, an audience: each wants its floor for itself.
+  bool holds_crowd() const {
+    constexpr int kMany = 6, kManySeats = 20;
+    std::map<std::string, int> of_kind;
+    return std::ranges::any_of(context_.scene.objects, [&](const SceneObject& object) {
+      const CatalogEntry& entry = context_.catalog.entry_or_nearest(object.category);
+      return object.mount == Mount::kFloor && ++of_kind[entry.id] >= (entry.is(Trait::kSeat) ? kManySeats : kMany);
+    });
   }
 
   bool stands_in_grid(const std::string& id) const {

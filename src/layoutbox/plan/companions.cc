@@ -116,7 +116,8 @@ class Companions {
     // Who serves sits behind; the chairs that are named are the guests'.
     const bool serves = entry->is(Trait::kOpenToRoom) && is_used(Side::kBack) && is_used(Side::kFront);
     // … and seats that follow from how many people there are stand at tables of their own: the teacher's desk has its chair.
-    const bool named_only = serves || !names_seat();
+    const bool visited = entry->is(Trait::kDeskLike) && has_kind("visitor_chair");
+    const bool named_only = serves || visited || !names_seat();
     if (seat == nullptr || (named_only ? spoken_.names(*seat) : spoken_.of(*seat)) || has_seat(id) || (!serves && has_loose_seat())) return;
     const int count = std::min(seats_at_size(*seating, is_round(*sized, *entry), sized->size->usual), kMostSeats);
     std::vector<std::string> seats;
@@ -127,11 +128,11 @@ class Companions {
     }
     constexpr Mm kAtHand = 400;
     const bool knees = std::ranges::any_of(entry->spaces, [](const SpaceFormula& space) { return !space.carries; });
-    if (knees && is_used(Side::kFront) && !serves) {  // pushed under, out of the way until somebody sits down
+    if (knees && is_used(Side::kFront) && !serves && !visited) {  // pushed under, out of the way until somebody sits down
       relate(RelationType::kNextTo, seats, id);
       return;
     }
-    const bool behind = serves || (!is_used(Side::kFront) && is_used(Side::kBack));
+    const bool behind = serves || visited || (!is_used(Side::kFront) && is_used(Side::kBack));
     relate(behind ? RelationType::kBehind : RelationType::kInFrontOf, seats, id, kAtHand);
     relate(RelationType::kFacing, seats, id);
   }
@@ -201,7 +202,10 @@ class Companions {
       if (takes(object)) hosts.push_back(object.id);
     }
     for (const std::string& host : hosts) {
-      for (int k = 0; k < companion.each; ++k) {
+      const SceneObject* sized = sized_.find_object(host);
+      const bool for_two =
+          companion.both_sides_from > 0 && sized != nullptr && sized->size && sized->size->usual.width >= companion.both_sides_from;
+      for (int k = 0; k < companion.each * (for_two ? 2 : 1); ++k) {
         const std::string id = add(*kind);
         if (on_it && kind->mount == Mount::kSurface) relate(RelationType::kOn, {id}, host);
       }

@@ -42,6 +42,15 @@ TEST(Companions, SeatsComeWithDesksAndTables) {
   EXPECT_EQ(count_of(added_to("A bedroom with a bed, a wardrobe and a dressing table."), "vanity_stool"), 1);
 }
 
+TEST(Companions, ABedForTwoHasANightstandAtEachSide) {
+  EXPECT_EQ(count_of(added_to("A bedroom, 4 x 4 m, with a queen bed and a wardrobe."), "nightstand"), 2);
+  EXPECT_EQ(count_of(added_to("A bedroom, 4 x 4 m, with a single bed and a wardrobe."), "nightstand"), 1);
+}
+
+TEST(Companions, WhoIsVisitedAtADeskSitsBehindIt) {
+  EXPECT_EQ(count_of(added_to("A doctor's office with a desk, two chairs for patients and a cabinet."), "office_chair"), 1);
+}
+
 TEST(Companions, ATableToSitAtGetsItsSeats) {
   EXPECT_GE(count_of(added_to("A studio with a bed, a wardrobe and a small table to eat and work at."), "chair"), 1);
   EXPECT_EQ(count_of(added_to("A studio with a bed, a wardrobe and a small table for the plants."), "chair"), 0);

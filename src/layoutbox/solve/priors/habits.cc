@@ -55,6 +55,7 @@ void Habits::stand(int index) {
   face_entrance(index);
   keep_off_play(index);
   keep_off_sofas(index);
+  keep_off_beds(index);
   keep_hall_free(index);
   keep_off_sitters_rug(index);
   stand_across(index);
@@ -72,12 +73,15 @@ void Habits::stand(int index) {
   const bool manned = leave_room_behind(index);
   if (manned) {
     // Who sits behind it has the wall behind.
+  } else if (is_window_bar(index)) {
+    stand_at_window(index);
   } else if (item.entry->back_to_wall) {
     // The nightstands of a bed in the middle of the room stay beside it.
     const std::vector<int> hosts = with_host ? usual_hosts(index) : std::vector<int>{};
     const bool by_free = std::ranges::any_of(hosts, [&](int host) { return related(index, host) && told_to_stand_free(host); });
     if (!by_free && !told_to_stand_free(index)) back_to_wall(index, kBackToWall);
     stand_in_run(index);
+    stand_in_table_axis(index);
     if (!stand_behind_server(index) && !stand_as_twin(index) && !with_host) stand_in_wall_row(index);
   } else if (!with_host && only_told_opening(index) && !item.is(Trait::kSeat) && !item.is(Trait::kEasySeat) && !has_sitters(index)) {
     stand_at_wall(index);
@@ -90,7 +94,7 @@ void Habits::stand(int index) {
   if (!item.entry->back_to_wall && item.is(Trait::kSeat) && item.has_front && !with_host) stand_in_wall_row(index);
   keep_nose_free(index);
   const bool is_worked_at = item.is(Trait::kTable) || item.is(Trait::kCounter) || item.is(Trait::kDeskLike);
-  if (!item.entry->back_to_wall && item.is(Trait::kOpenToRoom) && !(is_worked_at && stand_along_run(index)))
+  if (!item.entry->back_to_wall && item.is(Trait::kOpenToRoom) && !is_window_bar(index) && !(is_worked_at && stand_along_run(index)))
     open_to_room(index, is_worked_at ? kAtWall : kFaces), leave_seat_behind(index);
   if (item.is(Trait::kDesk) && !item.is(Trait::kOpenToRoom)) near_light(index);
 }

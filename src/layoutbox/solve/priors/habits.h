@@ -80,6 +80,8 @@ class Habits {
   bool keeps_to_corner(int item) const;
   void stand_in_its_corner(int item);
   bool is_faced_by_kind(int item) const;
+  int table_served_by(int item) const;
+  void stand_in_table_axis(int item);
   bool is_looked_at(int item) const;
   bool only_told_across(int item) const;
   bool leave_room_behind(int item);
@@ -125,6 +127,7 @@ class Habits {
   int long_table() const;
   void hang_before_table(Formula& f, int item, int table);
   void leave_free_before(int item);
+  void hang_clear_of_doors(int item);
 
   // Habits towards other things: beside, round, before and facing what they belong to.
   int mirror_of(int item) const;
@@ -158,6 +161,7 @@ class Habits {
   std::vector<int> hosts_beside(int item) const;
   std::optional<int> told_host(int item, const std::vector<int>& hosts) const;
   bool told_to_sit_elsewhere(int item) const;
+  int low_table_of(int item) const;
   bool sit_near_low_table(int item);
   void leave_seated_to_their_seats(std::vector<int>& hosts, int item) const;
   bool sit_at(int item, int host, int hosts);
@@ -186,16 +190,23 @@ class Habits {
   // Habits of groups (habits_groups.cc).
   bool is_dined_at(int item) const;
   void keep_off_sofas(int item);
+  void keep_off_beds(int item);
   void keep_hall_free(int item);
   void keep_off_sitters_rug(int item);
   const Relation* divided_by(int item) const;
   void stand_across(int item);
-  bool sit_by_fire(int item);
-  bool sit_to_talk(int item);
+  bool is_window_bar(int item) const;
+  void stand_at_window(int item);
   bool is_served_over(int item) const;
   bool waits_for(int item, int desk) const;
   void wait_before_counter(int item);
   void face_entrance(int item);
+
+  // Habits of those who sit to talk (habits_talk.cc).
+  std::vector<int> loose_easy_chairs(int item) const;
+  bool sit_round_sofa(int item, int sofa);
+  bool sit_by_fire(int item);
+  bool sit_to_talk(int item);
 
   // Habits of things that come in numbers.
   // The things of a kind that stand in formation: asked for as a grid, or many that nobody placed.

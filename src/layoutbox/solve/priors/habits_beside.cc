@@ -28,7 +28,7 @@ bool Habits::stand_beside(int item) {
   std::erase_if(hosts, [&](int h) { return model_.items[h].entry != model_.items[hosts[0]].entry; });
   const int host = hosts[rank_of(item) % static_cast<int>(hosts.size())];
   const int number = static_cast<int>(hosts.size());
-  if (!sit_at(item, host, number)) stand_at(item, host, number);
+  if (!sit_at(item, host, number) && !sit_round_sofa(item, host)) stand_at(item, host, number);
   return true;
 }
 
@@ -82,16 +82,22 @@ bool Habits::told_to_sit_elsewhere(int item) const {
   return (self.is(Trait::kTableSeat) && placed_besides_facing(item)) || (self.is(Trait::kEasySeat) && told_away_from_group(item));
 }
 
+// The low table that an easy chair sits at where words put it at none: of several its share of them; -1: there is none.
+int Habits::low_table_of(int item) const {
+  if (!model_.items[item].is(Trait::kEasySeat)) return -1;
+  std::vector<int> tables = items_of_kinds(model_.items[item].entry->faces, item);
+  std::erase_if(tables, [&](int other) { return !model_.items[other].is(Trait::kCoffeeTable); });
+  if (tables.empty()) return -1;
+  int seats = 0;
+  for (const Item& other : model_.items) seats += other.entry == model_.items[item].entry;
+  return tables[static_cast<std::size_t>(rank_of(item)) * tables.size() / static_cast<std::size_t>(seats)];
+}
+
 bool Habits::sit_near_low_table(int item) {
-  const Item& self = model_.items[item];
-  if (!self.is(Trait::kEasySeat)) return false;
-  for (const int other : items_of_kinds(self.entry->faces, item)) {
-    if (!model_.items[other].is(Trait::kCoffeeTable)) continue;
-    if (!only_near(item, other)) return false;
-    sit_round_low_table(item, other);
-    return true;
-  }
-  return false;
+  const int table = low_table_of(item);
+  if (table < 0 || !only_near(item, table)) return false;
+  sit_round_low_table(item, table);
+  return true;
 }
 
 // A stool goes to the counter where the tables have their chairs.
@@ -271,8 +277,9 @@ void Habits::stand_before_middle(int item, int host) {
   habit("before the middle", item, kBeside, std::move(f), {host});
 }
 
-// Two of a kind by the same host stand one at each side: nightstands, speakers, plants.
+// Two of a kind by the same host stand one at each side, as far from its middle: nightstands, speakers, plants.
 void Habits::flank(int item, int host, int hosts) {
+  constexpr int kEven = 200;  // points a metre
   const int rank = rank_of(item);
   if (rank / hosts % 2 == 0) return;
   int twin = 0;
@@ -283,7 +290,8 @@ void Habits::flank(int item, int host, int hosts) {
     const Direction right = side_direction(model_.items[host], Side::kRight, turn);
     for (const int sign : {1, -1}) {
       const auto beyond = [&](int one, int towards) { return towards * (mid2(one, right.axis) - mid2(host, right.axis)); };
-      f.add().when(host, states).require(beyond(item, sign)).require(beyond(twin, -sign));
+      Case& c = f.add().when(host, states).require(beyond(item, sign)).require(beyond(twin, -sign));
+      c.wish(mid2(item, right.axis) + mid2(twin, right.axis) - 2 * mid2(host, right.axis), kEven, 2);
     }
   });
   habit("other side", item, kBeside, std::move(f), {host, twin});

@@ -99,6 +99,9 @@ bool Habits::look_at(int item, bool leads, const std::vector<int>& crowd) {
   std::vector<int> seen = items_of_kinds(self.entry->faces, item);
   // Each has its own mirror before all others.
   std::ranges::stable_partition(seen, [&](int other) { return related_as_target(item, other, RelationType::kFacing); });
+  // … an easy chair the low table that it sits at
+  if (const int table = low_table_of(item); table >= 0 && !seen.empty() && model_.items[seen[0]].is(Trait::kCoffeeTable))
+    std::ranges::stable_partition(seen, [&](int other) { return other == table || related(item, other); });
   // … and a visitor the bed that the chair is told to be at.
   if (self.is(Trait::kTableSeat)) std::ranges::stable_partition(seen, [&](int other) { return related(item, other); });
   if (self.is(Trait::kTableSeat)) std::erase_if(seen, [&](int other) { return !takes_seat(other, item) || waits_for(item, other); });
@@ -108,7 +111,8 @@ bool Habits::look_at(int item, bool leads, const std::vector<int>& crowd) {
       continue;
     Formula f;
     crowd.empty() ? add_looks_at(f, model_, item, other, looking_side(model_, item)) : add_looks_with_group(f, model_, item, crowd, other);
-    if (self.is(Trait::kEasySeat) && !related(item, other) && !model_.items[seen_one].is(Trait::kScreen)) {
+    if (self.is(Trait::kEasySeat) && !related(item, other) && !model_.items[seen_one].is(Trait::kScreen) &&
+        !model_.items[other].is(Trait::kCenterPiece)) {
       for (Case& c : f.cases) {  // near enough to put a cup down
         for (int axis = 0; axis < 2; ++axis) c.wish(mid2(item, axis) - mid2(other, axis), 60, 2);
       }

@@ -54,6 +54,8 @@ std::optional<Habits::Group> Habits::formation_with(int item) const {
   }
   // What usually stands at a wall and is told where to look, as a class's desks are, stands in rows, desks of an office in islands.
   const bool at_wall = self.entry->back_to_wall && !told_where_to_look(item) && !fits_islands(item);
+  // Easy chairs in rows are for those who look at something; who talks sits face to face.
+  if (self.is(Trait::kEasySeat) && !told_where_to_look(item) && board_of_room() < 0) return std::nullopt;
   if (self.mount != Mount::kFloor || at_wall || area_of(self) > kManySize) return std::nullopt;
   // Small things that nobody walks up to (plants, barrels) stand at the walls and in the corners, however many.
   if (used_sides(self).empty() && !self.is(Trait::kBearsCeiling) && !self.thin && !self.is(Trait::kSeat) &&

@@ -1,4 +1,4 @@
-// Habits of groups: those who sit by the fire, those who dine and those who talk, each with room of their own.
+// Habits of groups: those who dine, those who serve and those who wait, each with room of their own.
 #include "layoutbox/solve/priors/habits.h"
 
 namespace layoutbox::placement {
@@ -32,6 +32,69 @@ void Habits::keep_off_sofas(int item) {
   }
 }
 
+// A sofa does not take the floor by a bed, where one gets up.
+void Habits::keep_off_beds(int item) {
+  constexpr Mm kGettingUp = 700;
+  constexpr int kOff = 300;  // points a metre
+  const Item& self = model_.items[item];
+  if (!self.is(Trait::kCenterPiece) || self.is(Trait::kBed)) return;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const int bed = static_cast<int>(i);
+    if (model_.items[i].is_opening() || model_.items[i].mount != Mount::kFloor || !model_.items[i].is(Trait::kBed) || related(item, bed))
+      continue;
+    Formula f;
+    for (const int axis : {0, 1}) {
+      for (const int sign : {1, -1}) f.add().require(gap_towards(item, bed, {axis, sign}) - Linear(kGettingUp));
+    }
+    habit("off the bed", item, kOff, std::move(f));
+  }
+}
+
+// The table that a sideboard (a low and long cupboard that nothing looks at) goes with: the only one that is dined at; -1: none.
+int Habits::table_served_by(int item) const {
+  constexpr Mm kHigh = 1100, kLong = 1000;
+  const Item& self = model_.items[item];
+  const Size& size = self.states[0].size;
+  const bool sideboard = self.mount == Mount::kFloor && self.entry->back_to_wall && self.entry->top_carries && size.height <= kHigh &&
+                         size.width >= kLong && !self.is(Trait::kBed) && !self.is(Trait::kSeat);
+  const bool worked_at = self.is(Trait::kKitchenRun) || self.is(Trait::kCounter) || self.is(Trait::kDeskLike);
+  if (!sideboard || worked_at || is_faced_by_kind(item) || placed_by_relation_besides_walls(item)) return -1;
+  int table = -1;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const int other = static_cast<int>(i);
+    if (model_.items[i].is_opening() || !is_dined_at(other)) continue;
+    if (table >= 0) return -1;
+    table = other;
+  }
+  return table;
+}
+
+// A sideboard has its middle before that of its table, and no window behind what it carries.
+void Habits::stand_in_table_axis(int item) {
+  constexpr int kInAxis = 120, kClearOfWindow = 100;  // points a metre
+  constexpr Mm kBehind = 400;
+  const int table = table_served_by(item);
+  if (table < 0) return;
+  Formula f;
+  for (const RoomWall& wall : model_.walls) {
+    if (!wall.straight) continue;
+    f.add().when(item, states_with_back_to(model_.items[item], wall)).wish(mid2(item, wall.along) - mid2(table, wall.along), kInAxis, 2);
+  }
+  if (!f.cases.empty()) habit("in the table's axis", item, kInAxis, std::move(f), {table});
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const int window = static_cast<int>(i);
+    if (!model_.items[i].is_opening() || model_.items[i].opening->type != OpeningType::kWindow) continue;
+    Formula clear;
+    for_each_turn(model_.items[i], [&](int turn, std::uint64_t states) {
+      if (turn % 90 != 0) return;
+      const Direction front = side_direction(model_.items[i], Side::kFront, turn);
+      clear.add().when(window, states).require(gap_towards(item, window, front) - Linear(kBehind));
+      for (const int sign : {1, -1}) clear.add().when(window, states).require(gap_towards(item, window, {across(front), sign}));
+    });
+    if (!clear.cases.empty()) habit("clear of the window", item, kClearOfWindow, std::move(clear));
+  }
+}
+
 // The relation by which it parts two groups of the room: a shelf between the bed and the sofa. Null: none.
 const Relation* Habits::divided_by(int item) const {
   const auto found = std::ranges::find_if(model_.scene->relations, [&](const Relation& r) {
@@ -61,69 +124,6 @@ void Habits::stand_across(int item) {
     }
   }
   habit("parts the groups", item, kAcross, std::move(f), {one, other});
-}
-
-// Easy chairs that have nothing but the fire to look at sit before it, side by side and close enough to feel it.
-bool Habits::sit_by_fire(int item) {
-  constexpr Mm kOff = 1100, kBetween = 450;
-  const auto sits = [&](int i) {
-    const Item& other = model_.items[i];
-    return !other.is_opening() && other.mount == Mount::kFloor && other.is(Trait::kEasySeat) && other.has_front && !other.fixed &&
-           !placed_besides_facing(i);
-  };
-  if (!sits(item)) return false;
-  const std::vector<int> seen = items_of_kinds(model_.items[item].entry->faces, item);
-  const auto else_seen = [&](int i) {
-    const Item& ref = model_.items[i];
-    return ref.is(Trait::kScreen) || ref.is(Trait::kCoffeeTable) || ref.is(Trait::kCenterPiece);
-  };
-  const auto is_fire = [&](int i) { return !model_.items[i].is(Trait::kTable) && model_.items[i].has_front; };
-  const auto fire = std::ranges::find_if(seen, is_fire);
-  if (fire == seen.end() || std::ranges::any_of(seen, else_seen)) return false;
-  std::vector<int> seats;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    if (sits(static_cast<int>(i)) && model_.items[i].entry == model_.items[item].entry) seats.push_back(static_cast<int>(i));
-  }
-  const auto k = std::ranges::find(seats, item) - seats.begin();
-  const auto n = static_cast<std::ptrdiff_t>(seats.size());
-  const Mm pitch = model_.items[item].states[0].size.width + kBetween;
-  Formula f;
-  for_each_turn(model_.items[*fire], [&](int turn, std::uint64_t states) {
-    if (turn % 90 != 0) return;
-    const Direction front = side_direction(model_.items[*fire], Side::kFront, turn);
-    Case& c = f.add().when(*fire, states).when(item, states_looking(model_.items[item], opposite(front)));
-    c.wish(mid2(item, across(front)) - mid2(*fire, across(front)) - Linear((2 * k - (n - 1)) * pitch), kBeside, 2);
-    c.wish(gap_towards(item, *fire, front) - Linear(kOff), kBeside);
-  });
-  habit("by the fire", item, kBeside, std::move(f), {*fire});
-  return true;
-}
-
-// Two easy chairs that nothing is there for to look at stand face to face: the second across from the first.
-bool Habits::sit_to_talk(int item) {
-  constexpr Mm kBetween = 1000;
-  const auto talks = [&](int i) {
-    const Item& other = model_.items[i];
-    return !other.is_opening() && other.mount == Mount::kFloor && other.entry == model_.items[item].entry && !other.fixed &&
-           !placed_by_relation(i);
-  };
-  const Item& self = model_.items[item];
-  if (!self.is(Trait::kEasySeat) || !self.has_front || !talks(item) || !items_of_kinds(self.entry->faces, item).empty()) return false;
-  std::vector<int> seats;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    if (talks(static_cast<int>(i))) seats.push_back(static_cast<int>(i));
-  }
-  if (seats.size() != 2 || seats[1] != item) return false;
-  Formula f;
-  for_each_turn(model_.items[seats[0]], [&](int turn, std::uint64_t states) {
-    if (turn % 90 != 0) return;
-    const Direction front = side_direction(model_.items[seats[0]], Side::kFront, turn);
-    Case& c = f.add().when(seats[0], states).when(item, states_looking(self, opposite(front)));
-    c.wish(mid2(item, across(front)) - mid2(seats[0], across(front)), kBeside, 2);
-    c.wish(gap_towards(item, seats[0], front) - Linear(kBetween), kBeside);
-  });
-  habit("face to face", item, kBeside, std::move(f), {seats[0]});
-  return true;
 }
 
 // The rug that others sit on, on beanbags and cushions, is theirs: no table stands on it.
@@ -165,10 +165,41 @@ void Habits::keep_hall_free(int item) {
   }
 }
 
+// A counter at a window is sat at, looking out: nobody serves there.
+bool Habits::is_window_bar(int item) const {
+  using R = RelationType;
+  if (!model_.items[item].is(Trait::kCounter)) return false;
+  return std::ranges::any_of(said_of(item), [&](const Relation* r) {
+    if (std::ranges::find(r->targets, model_.items[item].id) == r->targets.end()) return false;
+    if (r->type == R::kUnderWindow || r->type == R::kNearWindow) return true;
+    const int other = r->references.size() == 1 ? model_.find_item(r->references[0]) : -1;
+    return (r->type == R::kNextTo || r->type == R::kNear) && other >= 0 && model_.items[other].is_opening() &&
+           model_.items[other].opening->type == OpeningType::kWindow;
+  });
+}
+
+// … with its back to the wall below, before the middle of the window.
+void Habits::stand_at_window(int item) {
+  back_to_wall(item, kBackToWall);
+  Formula f;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const Item& window = model_.items[i];
+    if (!window.is_opening() || window.opening->type != OpeningType::kWindow) continue;
+    for (const RoomWall& wall : model_.walls) {
+      if (!wall.straight || (!window.opening->wall.empty() && window.opening->wall != wall.id)) continue;
+      Case& c = f.add().when(item, states_with_back_to(model_.items[item], wall));
+      if (window.opening->wall.empty()) c.when(static_cast<int>(i), window.states_at(wall.turn));
+      c.wish(mid2(item, wall.along) - mid2(static_cast<int>(i), wall.along), kAtWall, 2);
+    }
+  }
+  if (!f.cases.empty()) habit("at its window", item, kAtWall, std::move(f));
+}
+
 // A reception desk, a counter: guests before it, who serves behind.
 bool Habits::is_served_over(int item) const {
   const Item& desk = model_.items[item];
-  if (desk.is_opening() || desk.mount != Mount::kFloor || !desk.has_front || !desk.is(Trait::kOpenToRoom)) return false;
+  if (desk.is_opening() || desk.mount != Mount::kFloor || !desk.has_front || !desk.is(Trait::kOpenToRoom) || is_window_bar(item))
+    return false;
   const std::vector<Side> used = used_sides(desk);
   return (desk.is(Trait::kDeskLike) || desk.is(Trait::kCounter)) && used.size() < 4 && std::ranges::find(used, Side::kBack) != used.end() &&
          std::ranges::find(used, Side::kFront) != used.end();

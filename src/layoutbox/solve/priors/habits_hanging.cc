@@ -169,6 +169,28 @@ void Habits::leave_free_before(int item) {
   }
 }
 
+// What is looked at does not hang where an open door's leaf covers it: so far from the door, or so far into the room.
+void Habits::hang_clear_of_doors(int item) {
+  constexpr Mm kBesideFrame = 80;
+  constexpr int kBehindLeaf = 400;  // points a metre
+  const Item& self = model_.items[item];
+  if (!self.is(Trait::kScreen) && !self.is(Trait::kMirror)) return;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const int door = static_cast<int>(i);
+    const Item& ref = model_.items[i];
+    if (!ref.is_opening() || ref.opening->type != OpeningType::kDoor || related(item, door)) continue;
+    Formula f;
+    for_each_turn(ref, [&](int turn, std::uint64_t states) {
+      if (turn % 90 != 0) return;
+      const Direction into = side_direction(ref, Side::kFront, turn);
+      f.add().when(door, states).require(gap_towards(item, door, into) - Linear(ref.opening->width));
+      for (const int sign : {1, -1})
+        f.add().when(door, states).require(gap_towards(item, door, {across(into), sign}) - Linear(kBesideFrame));
+    });
+    if (!f.cases.empty()) habit("not behind the door", item, kBehindLeaf, std::move(f));
+  }
+}
+
 // Over what the thing on the wall usually hangs.
 std::vector<int> Habits::usually_under(int item) const {
   const Item& self = model_.items[item];
@@ -216,6 +238,7 @@ void Habits::hang_on_wall(int item) {
     return;
   }
   leave_free_before(item);
+  hang_clear_of_doors(item);
   if (hang_along_side(item) || stand_beside(item)) return;
   look_at(item, self.is(Trait::kScreen));
   if (hang_in_row(item)) return;

@@ -28,7 +28,7 @@ bool Habits::leave_room_behind(int item) {
   const std::vector<Side> used = used_sides(self);
   const bool open = self.is(Trait::kOpenToRoom) && std::ranges::find(used, Side::kBack) != used.end();
   const bool told = used_side(self) == Side::kFront && looking_side(model_, item) == Side::kFront;
-  const bool served_over = open && self.is(Trait::kCounter) && used.size() < 4;  // no island
+  const bool served_over = open && self.is(Trait::kCounter) && used.size() < 4 && !is_window_bar(item);  // no island
   if ((!self.is(Trait::kDeskLike) || (!open && !told)) && !served_over) return false;
   face_the_class(item);
   if (placed_besides_facing(item) && !only_told_across(item)) return true;
@@ -115,6 +115,7 @@ void Habits::keep_before_counter(int item) {
     const Item& bar = model_.items[i];
     const int host = static_cast<int>(i);
     const bool bar_or_desk = (bar.is(Trait::kCounter) && bar.is(Trait::kOpenToRoom) && bar.has_front) || is_served_over(host);
+    if (is_window_bar(host)) continue;
     if (host == item || !bar_or_desk || related(item, host)) continue;
     Formula f;
     for_each_turn(bar, [&](int turn, std::uint64_t states) {
@@ -138,16 +139,19 @@ void Habits::near_light(int item) {
   if (!windows.empty()) habit("near light", item, kLight, std::move(f));
 }
 
-// A window that nobody placed is not in the wall that the board is said to hang on.
+// A window that nobody placed is not in the wall that something is said to hang on, nor beside the board that all look at.
 void Habits::leave_wall_free(int item) {
+  const int board = board_of_room();
   Formula f;
-  bool any_taken = false;
+  bool any_taken = board >= 0;
   for (const RoomWall& wall : model_.walls) {
     const bool taken = std::ranges::any_of(model_.scene->relations, [&](const Relation& r) {
       return r.type == RelationType::kOnWall && std::ranges::find(r.references, wall.id) != r.references.end();
     });
     any_taken |= taken;
-    if (wall.straight && !taken) f.add().when(item, model_.items[item].states_at(wall.turn));
+    if (!wall.straight || taken) continue;
+    Case& c = f.add().when(item, model_.items[item].states_at(wall.turn));
+    if (board >= 0) c.when(board, model_.items[board].all_states & ~states_facing(board, wall));
   }
   if (any_taken && !f.cases.empty()) habit("leaves the wall free", item, kWallFree, std::move(f));
 }

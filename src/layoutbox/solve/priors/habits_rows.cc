@@ -122,7 +122,8 @@ void Habits::lie_along_window(int item) {
 
 // Where one pays, and what comes and goes with people (a bicycle), is by the door.
 void Habits::stand_near_door(int item) {
-  constexpr int kByDoor = 80;  // points a metre
+  constexpr Mm kNearDoor = 1500;  // nearer it would be in the way
+  constexpr int kByDoor = 80;     // points a metre
   const auto is_such = [&](const std::string& kind) { return model_.is_a(item, kind); };
   if (placed_by_relation(item) || std::ranges::none_of(Groups::builtin().by_door, is_such)) return;
   Formula f;
@@ -132,7 +133,9 @@ void Habits::stand_near_door(int item) {
     if (!model_.items[i].is_opening() || model_.items[i].opening->type != OpeningType::kDoor) continue;
     doors.push_back(door);
     Case& c = f.add();
-    for (const int axis : {0, 1}) c.wish(mid2(item, axis) - mid2(door, axis), kByDoor, 2);
+    for (const int axis : {0, 1}) {
+      for (const int sign : {1, -1}) c.require(Linear(2 * kNearDoor) - sign * (mid2(item, axis) - mid2(door, axis)), 2);
+    }
   }
   if (!doors.empty()) habit("by the door", item, kByDoor, std::move(f));
 }
@@ -156,17 +159,22 @@ bool Habits::stand_before_waiting(int item) {
     if (sits && !at_work) seats.push_back(other);
   }
   if (seats.size() < kFewest) return false;
-  const auto share = static_cast<std::size_t>(2 * rank_of(item) + 1) * seats.size() / (2 * static_cast<std::size_t>(tables));
-  const int seat = seats[std::min(share, seats.size() - 1)];
+  const auto rank = static_cast<std::size_t>(rank_of(item)), n = static_cast<std::size_t>(tables);
+  if (n > seats.size()) return false;
+  const std::vector<int> share(seats.begin() + static_cast<std::ptrdiff_t>(rank * seats.size() / n),
+                               seats.begin() + static_cast<std::ptrdiff_t>((rank + 1) * seats.size() / n));
+  const int seat = share[share.size() / 2];
   Formula f;
   for_each_turn(model_.items[seat], [&](int turn, std::uint64_t states) {
     if (turn % 90 != 0) return;
     const Direction front = side_direction(model_.items[seat], Side::kFront, turn);
     Case& c = f.add().when(seat, states).when(item, states_with_width_along(self, across(front)));
-    c.wish(gap_towards(item, seat, front) - Linear(kOff), kGuestsTable)
-        .wish(mid2(item, across(front)) - mid2(seat, across(front)), kGuestsTable, 2);
+    c.wish(gap_towards(item, seat, front) - Linear(kOff), kGuestsTable);
+    Linear off = static_cast<std::int32_t>(share.size()) * mid2(item, across(front));
+    for (const int other : share) off = off - mid2(other, across(front));
+    c.wish(std::move(off), kGuestsTable, 2 * static_cast<int>(share.size()));
   });
-  habit("before those who wait", item, kGuestsTable, std::move(f), {seat});
+  habit("before those who wait", item, kGuestsTable, std::move(f), share);
   return true;
 }
 

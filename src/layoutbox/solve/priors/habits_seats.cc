@@ -178,11 +178,16 @@ bool Habits::sit_in_row(int item, int host, RelationType how) {
   return true;
 }
 
-// All of the item's kind that no relation ties to the host and that share it.
+// All of the item's kind that no relation ties to the host, nor to another such one, and that share it.
 std::vector<int> Habits::seats_at(int item, int host, int hosts) const {
+  const auto told_elsewhere = [&](int seat) {
+    const std::optional<int> told = told_host(seat, hosts_beside(seat));
+    return told && *told != host;
+  };
   std::vector<int> seats;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     const int other = static_cast<int>(i);
+    if (other != item && model_.items[i].entry == model_.items[item].entry && told_elsewhere(other)) continue;
     const bool alike = model_.items[i].entry == model_.items[item].entry && rank_of(other) % hosts == rank_of(item) % hosts;
     if (other == item || (alike && (!related(other, host) || leaves_usual_place(other, host)))) seats.push_back(other);
   }

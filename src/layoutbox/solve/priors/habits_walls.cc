@@ -5,7 +5,7 @@
 namespace layoutbox::placement {
 namespace {
 
-constexpr int kBedToCorner = 80, kToCorner = 20, kTallToCorner = 160;  // points for not being in a corner
+constexpr int kBedToCorner = 150, kToCorner = 20, kTallToCorner = 160;  // points for not being in a corner
 constexpr Mm kFlushInCorner = 20;
 constexpr int kFloats = 250;  // points for a sofa that stands off the walls of a large room
 
@@ -28,11 +28,14 @@ void Habits::back_to_wall(int item, int weight) {
       (model_.items[item].is(Trait::kCenterPiece) || is_looked_at(item) || is_platform(model_.items[item])) && alike <= 1 && !narrow_bed;
   // In a corner it gives up the free floor at one side, and keeps that at the other.
   const std::map<Side, Mm>& wanted = model_.items[item].entry->clearance;
+  // What rocks or leans back keeps the room for that.
+  const bool rocks = model_.items[item].is(Trait::kEasySeat) && wanted.contains(Side::kBack);
+  const Mm behind = rocks ? wanted.at(Side::kBack) : kFlushInCorner;
   const int for_side = wanted.contains(Side::kLeft) && wanted.contains(Side::kRight) ? kCostWeights.wanted : 0;
   const int to_corner = narrow_bed ? kBedToCorner + for_side : ends_run(item) ? kTallToCorner : keeps_to_corner(item) ? kToCorner : 0;
   for (const RoomWall& wall : model_.walls) {
     const std::size_t known = f.cases.size();
-    add_against(f, model_, item, states_with_back_to(model_.items[item], wall), wall, 20, true);
+    add_against(f, model_, item, states_with_back_to(model_.items[item], wall), wall, behind, true);
     for (std::size_t i = known; heart && i < f.cases.size(); ++i) wish_middle_of_wall(f.cases[i], model_, item, wall, kMiddle);
     if (to_corner == 0 || !wall.straight || f.cases.size() == known) continue;
     const Case anywhere = f.cases[known];
@@ -116,7 +119,7 @@ bool Habits::ends_run(int item) const {
 bool Habits::keeps_to_corner(int item) const {
   const Item& self = model_.items[item];
   if (self.is(Trait::kCenterPiece) || self.is(Trait::kTable) || self.is(Trait::kDeskLike) || self.is(Trait::kSeat)) return false;
-  if (is_platform(self)) return false;
+  if (is_platform(self) || table_served_by(item) >= 0) return false;
   if (self.is(Trait::kOpenToRoom) || placed_by_relation_besides_walls(item) || !items_of_kinds(self.entry->beside, item).empty())
     return false;
   return !is_faced_by_kind(item);
@@ -168,6 +171,7 @@ void Habits::stand_at_wall(int item) {
     const std::uint64_t along = is_long ? states_with_side_to(model_.items[item], wall, side) : 0;
     if (along) c.when(item, along);
     require_near_wall(c, model_, item, wall, most);
+    c.wish(gap_towards(item, place_of(model_, wall), {wall.normal(), wall.inward}), kAtWall);
   };
   Formula f;
   for (std::size_t i = 0; i < model_.walls.size(); ++i) {

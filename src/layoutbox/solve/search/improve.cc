@@ -90,6 +90,7 @@ void Search::improve(Budget& budget, std::int64_t patience, bool sweeps) {
     const std::optional<bool> better = sweep ? sweep_step(item, budget) : chance_step(item, movable, together, budget);
     if (better) idle = *better ? 0 : idle + 1;
   }
+  if (model_.start.empty()) settle(budget);
 }
 
 }  // namespace layoutbox::placement

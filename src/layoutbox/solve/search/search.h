@@ -101,6 +101,9 @@ class Search {
   std::vector<int> company_of(int item) const;
   bool shift(const std::vector<int>& cluster, int axis, Mm by, std::int64_t least_gain, Budget& budget);
   bool nudge(int item, Budget& budget);
+  bool nudge_all(const std::vector<int>& cluster, std::int64_t least_gain, Budget& budget);
+  void settle(Budget& budget);
+  bool are_tied(const std::vector<int>& a, const std::vector<int>& b) const;
   bool is_better(const Placements& before, const std::vector<int>& moved, Budget& budget, std::int64_t least_gain = kLeastGain);
   std::int64_t gain_since(const Placements& before, const std::vector<int>& group, std::int64_t least_gain);
 
