@@ -165,6 +165,7 @@ class Decoder {
   bool is_one_of_several(int u) const;
   bool nothing_nearer(const State& state, std::size_t level) const;
   Referent side_ahead(int u, const PhraseSenses& senses) const;
+  Referent sides_ahead(int u, const PhraseSenses& senses) const;
   Referent side_host(const State& state, int u, const PhraseSenses& senses) const;
   std::optional<double> room_side_score(const State& state, int u) const;
   double end_score(const State& state) const;
