@@ -245,7 +245,8 @@ void Decoder::alone_of_room(std::size_t s, int u, std::size_t level, double gain
   // "On the desk a blotter in the center": what no list has lies there as well.
   const int carrier = state.fronted.empty() ? kNobody : state.fronted.front() + 1;
   const bool on_fronted = carrier >= 0 && says(unit(carrier - 1).direct, RelationType::kOn) && is_thing(state, carrier) &&
-                          (noun_of(state, member).entry == nullptr || sense_.carries(noun_of(state, carrier), noun_of(state, member)));
+                          (noun_of(state, member).entry == nullptr || is_table(lexicon_.catalog(), noun_of(state, carrier)) ||
+                           sense_.carries(noun_of(state, carrier), noun_of(state, member)));
   // "a table with a laptop in the center": of the table; "a counter with a sink in the middle": let into it.
   const Referent host = host_of(state, member);
   const CatalogEntry* entry = noun_of(state, member).entry;

@@ -45,7 +45,8 @@ bool Decoder::consider(std::vector<Candidate>& all, const State& state, Referent
   if (referent == kNobody) return false;
   const NounPhrase& meant = noun_of(state, referent);
   const bool opening = (meant.kind == NounKind::kDoor || meant.kind == NounKind::kWindow) &&
-                       !(senses != nullptr && says(*senses, RelationType::kIn));  // "a desk and a bed in it": in the room
+                       // "a desk and a bed in it": in the room; nothing lies on a door.
+                       !(senses != nullptr && (says(*senses, RelationType::kIn) || says(*senses, RelationType::kOn)));
   if (!is_thing(state, referent) && !(opening && senses != nullptr && noun != nullptr && noun->head == "it")) return false;
   if (subject != kNobody && !is_of_one_group(state, referent, subject, noun) && same(state, referent, subject)) return false;
   // Nothing is placed by what lies on it, nor between what it has.
@@ -113,7 +114,7 @@ double Decoder::antecedent_place_score(const State& state, Referent referent, Re
   if (laid_down && meant.kind == NounKind::kObject)
     score += mount_of(meant) == Mount::kSurface ? weight::kNotBeside - weight::kSmallTogether : -weight::kNotBeside;
   // What lies on the floor or on something else is seldom what one places things by.
-  if (stands(target) && !stands(meant)) score -= 0.8;
+  if (mount_of(target) == Mount::kFloor && !stands(meant)) score -= 0.8;
   return score;
 }
 
