@@ -102,6 +102,7 @@ class Decoder {
   void root_list_actions(std::size_t s, int u, double gain);
   bool placed_by_clause(const State& state, int u) const;
   void member_actions(std::size_t s, int u);
+  bool is_part_of_other(int u) const;
   void place_actions(std::size_t s, int u);
   void relative_place_actions(std::size_t s, int u);
   void opening_place_actions(std::size_t s, int u);
