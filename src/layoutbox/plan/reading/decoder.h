@@ -176,6 +176,7 @@ class Decoder {
   std::vector<Candidate> antecedents(const State& state, Referent subject, const PhraseSenses* senses, const NounPhrase* noun,
                                      int first_subject = -1) const;
   std::vector<Candidate> carriers(const State& state, Referent subject) const;
+  void contents_of(const State& state, int u, const NounPhrase& noun, double order, const Trial& trial) const;
   void named_last(const State& state, const Trial& trial) const;
   double clause_antecedents(const State& state, const NounPhrase* noun, const Trial& trial) const;
   double earlier_antecedents(const State& state, const NounPhrase* noun, const Trial& trial, double order) const;

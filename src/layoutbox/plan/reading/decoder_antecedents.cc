@@ -173,9 +173,19 @@ void Decoder::named_last(const State& state, const Trial& trial) const {
   }
 }
 
+// What the host of the thing at u has besides it: "a bench with two bags on it and a box between them".
+void Decoder::contents_of(const State& state, int u, const NounPhrase& noun, double order, const Trial& trial) const {
+  constexpr int kNear = 12;
+  const Referent host = host_of(state, u);
+  if (noun.head != "it" && !noun.plural) return;
+  for (int content = u; content-- > 0 && content + kNear > u;) {
+    if (is(content, UnitKind::kNoun) && read_as(state, content).role == NounRole::kContent && host_of(state, content) == host)
+      trial(content, noun.plural && several(state, content) ? order : order + 2, false);
+  }
+}
+
 // The sentence's own: what has the clause's thing, then that thing, then what was named for their sake, then groups.
 double Decoder::clause_antecedents(const State& state, const NounPhrase* noun, const Trial& trial) const {
-  constexpr int kNear = 12;
   const bool listed = is_list_wanted(noun);
   const auto lists = [&](int u, double at) {
     if (listed && u >= 0 && read_as(state, u).former >= 0) trial(u, at, true);
@@ -185,12 +195,7 @@ double Decoder::clause_antecedents(const State& state, const NounPhrase* noun, c
     const Referent host = host_of(state, state.frontier[f]);
     if (host == kNobody) continue;
     lists(host, order);
-    const bool its = noun != nullptr && noun->head == "it", them = noun != nullptr && noun->plural;
-    for (int u = state.frontier[f]; (its || them) && u-- > 0 && u + kNear > state.frontier[f];) {
-      // "a bench with two bags on it and a box between them"
-      if (is(u, UnitKind::kNoun) && read_as(state, u).role == NounRole::kContent && host_of(state, u) == host)
-        trial(u, them && several(state, u) ? order : order + 2, false);
-    }
+    if (noun != nullptr) contents_of(state, state.frontier[f], *noun, order, trial);
     order += trial(host, order, false) ? 0.5 : 0;
   }
   if (!state.frontier.empty()) {
