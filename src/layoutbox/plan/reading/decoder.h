@@ -186,6 +186,7 @@ class Decoder {
   double antecedent_place_score(const State& state, Referent referent, Referent subject, const PhraseSenses& senses,
                                 const NounPhrase* noun) const;
   bool is_of_one_group(const State& state, Referent group, Referent subject, const NounPhrase* noun) const;
+  int things_of(const State& state, Referent referent, bool list) const;
   bool consider(std::vector<Candidate>& all, const State& state, Referent referent, double order, Referent subject,
                 const PhraseSenses* senses, const NounPhrase* noun, bool list) const;
 

@@ -40,6 +40,14 @@ bool Decoder::is_of_one_group(const State& state, Referent group, Referent subje
          chunk(subject).noun.kind == NounKind::kMember && several(state, group);
 }
 
+// How many things that is, with all that is listed before it where a list is meant.
+int Decoder::things_of(const State& state, Referent referent, bool list) const {
+  int things = list ? 0 : noun_of(state, referent).count;
+  for (int m = list ? referent : -1; m >= 0; m = read_as(state, m).former)
+    things += std::max(noun_of(state, m).count, several(state, m) ? 2 : 1);
+  return things;
+}
+
 bool Decoder::consider(std::vector<Candidate>& all, const State& state, Referent referent, double order, Referent subject,
                        const PhraseSenses* senses, const NounPhrase* noun, bool list) const {
   if (referent == kNobody) return false;
@@ -60,10 +68,7 @@ bool Decoder::consider(std::vector<Candidate>& all, const State& state, Referent
   // "a tub under the window, a stool next to it": seldom the window by which something else was placed.
   const bool by_opening = opening && referent >= 0 && read_as(state, referent).role == NounRole::kReference;
   // "a stove, two armchairs, a rug between them": between two, not three.
-  int listed = list ? 0 : noun_of(state, referent).count;
-  for (int m = list ? referent : -1; m >= 0; m = read_as(state, m).former)
-    listed += std::max(noun_of(state, m).count, several(state, m) ? 2 : 1);
-  const bool crowd = listed > 2 && between;
+  const bool crowd = between && things_of(state, referent, list) > 2;
   double score = (crowd ? weight::kBetweenMany : 0) + weight::kOrder * order + (by_opening ? weight::kItIsOpening : opening ? -0.3 : 0);
   if (noun != nullptr) score += number_score(*noun, list || several(state, referent));
   if (senses != nullptr && subject != kNobody && is_thing(state, subject))
