@@ -150,8 +150,9 @@ PhraseMatch Chunker::phrase_here() const {
   const std::size_t after = i_ + phrase.length;
   if (phrase.length < 2 || after >= tokens_.size()) return phrase;
   const std::string& last = tokens_[after - 1].text;
-  // "above each of the beds": "each of" are those.
-  if (phrase.length > 2 && last == "of" && lexicon_.is(tokens_[after - 2], Class::kEach))
+  // "above each of the beds", "behind one of the beds": "each of" are those.
+  const Token& before = tokens_[after - 2];
+  if (phrase.length > 2 && last == "of" && (lexicon_.is(before, Class::kEach) || lexicon_.is(before, Class::kNumber)))
     return lexicon_.find_phrase(tokens_.first(after - 2), i_);
   // "at its far end": the end of a thing, not of the room.
   const bool of_room = std::ranges::all_of(*phrase.senses, [](const PhraseSense& s) { return s.type == RelationType::kInRegion; });

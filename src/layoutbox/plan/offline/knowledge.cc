@@ -29,8 +29,8 @@ bool is_common(const NounPhrase& noun) {
 namespace {
 
 bool may_be_under(const Catalog& catalog, const NounPhrase& host) {
-  return is_table(catalog, host) || one_of(host.head, WordSet::kRoomUnder) || mount_of(host) == Mount::kWall ||
-         mount_of(host) == Mount::kCeiling;
+  return is_table(catalog, host) || (host.entry != nullptr && host.entry->is(Trait::kBed)) || one_of(host.head, WordSet::kRoomUnder) ||
+         mount_of(host) == Mount::kWall || mount_of(host) == Mount::kCeiling;
 }
 
 }  // namespace
@@ -134,8 +134,8 @@ bool may_carry(const Catalog& catalog, const NounPhrase& host, const NounPhrase&
   if (item.collective) return true;
   if (mount == Mount::kHung && one_of(host.head, WordSet::kForClothes)) return true;
   // Clothes lie on beds, seats, tables and shelves as well.
-  const bool lies =
-      is_seat(catalog, host) || is_table(catalog, host) || is_storage(host) || (host.entry != nullptr && host.entry->is(Trait::kBed));
+  const bool lies = is_seat(catalog, host) || is_table(catalog, host) || is_storage(host) ||
+                    (host.entry != nullptr && (host.entry->is(Trait::kBed) || host.entry->top_carries));
   if (mount == Mount::kHung && lies) return true;
   // A hat or a bag on its stand.
   constexpr Mm kLight = 450;

@@ -102,6 +102,7 @@ class Decoder {
   void root_list_actions(std::size_t s, int u, double gain);
   bool placed_by_clause(const State& state, int u) const;
   void member_actions(std::size_t s, int u);
+  bool is_part_of_other(int u) const;
   void place_actions(std::size_t s, int u);
   void relative_place_actions(std::size_t s, int u);
   void opening_place_actions(std::size_t s, int u);
@@ -165,6 +166,7 @@ class Decoder {
   bool is_one_of_several(int u) const;
   bool nothing_nearer(const State& state, std::size_t level) const;
   Referent side_ahead(int u, const PhraseSenses& senses) const;
+  Referent sides_ahead(int u, const PhraseSenses& senses) const;
   Referent side_host(const State& state, int u, const PhraseSenses& senses) const;
   std::optional<double> room_side_score(const State& state, int u) const;
   double end_score(const State& state) const;
@@ -174,6 +176,7 @@ class Decoder {
   std::vector<Candidate> antecedents(const State& state, Referent subject, const PhraseSenses* senses, const NounPhrase* noun,
                                      int first_subject = -1) const;
   std::vector<Candidate> carriers(const State& state, Referent subject) const;
+  void contents_of(const State& state, int u, const NounPhrase& noun, double order, const Trial& trial) const;
   void named_last(const State& state, const Trial& trial) const;
   double clause_antecedents(const State& state, const NounPhrase* noun, const Trial& trial) const;
   double earlier_antecedents(const State& state, const NounPhrase* noun, const Trial& trial, double order) const;
@@ -183,6 +186,7 @@ class Decoder {
   double antecedent_place_score(const State& state, Referent referent, Referent subject, const PhraseSenses& senses,
                                 const NounPhrase* noun) const;
   bool is_of_one_group(const State& state, Referent group, Referent subject, const NounPhrase* noun) const;
+  int things_of(const State& state, Referent referent, bool list) const;
   bool consider(std::vector<Candidate>& all, const State& state, Referent referent, double order, Referent subject,
                 const PhraseSenses* senses, const NounPhrase* noun, bool list) const;
 

@@ -84,6 +84,13 @@ Referent Decoder::side_ahead(int u, const PhraseSenses& senses) const {
   return kNobody;
 }
 
+// "two armchairs on both sides near the sofa": of what the next place names.
+Referent Decoder::sides_ahead(int u, const PhraseSenses& senses) const {
+  const bool near = says(senses, RelationType::kEachSideOf) && follows(u, UnitKind::kPlace) && follows(u + 1, UnitKind::kNoun) &&
+                    (says(unit(u + 1).direct, RelationType::kNear) || says(unit(u + 1).direct, RelationType::kNextTo));
+  return near ? u + 2 : kNobody;
+}
+
 // The reference is not said: "nearby", "on each side", "to its left".
 void Decoder::alone_actions(std::size_t s, int u) {
   const State& state = states_[s];
@@ -156,12 +163,12 @@ void Decoder::front_alone_actions(std::size_t s, int u, double gain) {
     return;
   }
   NounPhrase them = unsaid(senses);
-  if (says_its(u) && !them.plural) them.head = "it";  // "to its right"
+  const bool named = says_its(u) || document_.tokens[chunk(u).last - 1].text == "it";  // "to its right", "opposite it"
+  if (named && !them.plural) them.head = "it";
   if (const Referent host = side_host(state, u, senses); host != kNobody) add(s, kFrontAlone, gain + weight::kSameSide, -1, -1, host);
   for (const Candidate& meant : antecedents(state, kNobody, &senses, &them))
     add(s, kFrontAlone, gain + meant.score, -1, -1, meant.referent, meant.list);
   // "On it stands a fan": on something that was named, whatever desks usually carry.
-  const bool named = says_its(u) || document_.tokens[chunk(u).last - 1].text == "it";
   add(s, kFrontAlone, gain + (named ? weight::kOfNothing : room_side_score(state, u).value_or(-5)));
 }
 
@@ -198,7 +205,9 @@ void Decoder::alone_of_member(std::size_t s, int u, std::size_t level, int neare
     alone_of_list(s, u, level, {host, gain + weight::kSameSide, false});
   if (const auto room = room_side_score(state, u); room && mount_of(noun_of(state, member)) != Mount::kSurface)
     alone_of_list(s, u, level, {kNobody, gain + *room, false});
-  if (const Referent ahead = side_ahead(u, senses); ahead != kNobody) alone_of_list(s, u, level, {ahead, gain + weight::kSameSide, false});
+  const Referent side = side_ahead(u, senses);
+  if (const Referent ahead = side != kNobody ? side : sides_ahead(u, senses); ahead != kNobody)
+    alone_of_list(s, u, level, {ahead, gain + weight::kSameSide, false});
   const auto habit = [&](Referent by) { return place.joiner == Joiner::kNone ? habit_score(state, u, member, by, senses) : 0; };
   const int first = state.verb && level == 0 ? state.first_subject : -1;  // "a radio and a clock stand on it": on neither
   for (const Candidate& meant : antecedents(state, member, &senses, &whom, first))
@@ -236,7 +245,8 @@ void Decoder::alone_of_room(std::size_t s, int u, std::size_t level, double gain
   // "On the desk a blotter in the center": what no list has lies there as well.
   const int carrier = state.fronted.empty() ? kNobody : state.fronted.front() + 1;
   const bool on_fronted = carrier >= 0 && says(unit(carrier - 1).direct, RelationType::kOn) && is_thing(state, carrier) &&
-                          (noun_of(state, member).entry == nullptr || sense_.carries(noun_of(state, carrier), noun_of(state, member)));
+                          (noun_of(state, member).entry == nullptr || is_table(lexicon_.catalog(), noun_of(state, carrier)) ||
+                           sense_.carries(noun_of(state, carrier), noun_of(state, member)));
   // "a table with a laptop in the center": of the table; "a counter with a sink in the middle": let into it.
   const Referent host = host_of(state, member);
   const CatalogEntry* entry = noun_of(state, member).entry;

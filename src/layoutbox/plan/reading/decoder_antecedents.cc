@@ -40,14 +40,26 @@ bool Decoder::is_of_one_group(const State& state, Referent group, Referent subje
          chunk(subject).noun.kind == NounKind::kMember && several(state, group);
 }
 
+// How many things that is, with all that is listed before it where a list is meant.
+int Decoder::things_of(const State& state, Referent referent, bool list) const {
+  int things = list ? 0 : noun_of(state, referent).count;
+  for (int m = list ? referent : -1; m >= 0; m = read_as(state, m).former)
+    things += std::max(noun_of(state, m).count, several(state, m) ? 2 : 1);
+  return things;
+}
+
 bool Decoder::consider(std::vector<Candidate>& all, const State& state, Referent referent, double order, Referent subject,
                        const PhraseSenses* senses, const NounPhrase* noun, bool list) const {
   if (referent == kNobody) return false;
   const NounPhrase& meant = noun_of(state, referent);
   const bool opening = (meant.kind == NounKind::kDoor || meant.kind == NounKind::kWindow) &&
-                       !(senses != nullptr && says(*senses, RelationType::kIn));  // "a desk and a bed in it": in the room
+                       // "a desk and a bed in it": in the room; nothing lies on a door.
+                       !(senses != nullptr && (says(*senses, RelationType::kIn) || says(*senses, RelationType::kOn)));
   if (!is_thing(state, referent) && !(opening && senses != nullptr && noun != nullptr && noun->head == "it")) return false;
   if (subject != kNobody && !is_of_one_group(state, referent, subject, noun) && same(state, referent, subject)) return false;
+  // Nothing is placed by what lies on it, nor between what it has.
+  const bool between = senses != nullptr && says(*senses, RelationType::kBetween);
+  if (subject >= 0 && referent >= 0 && (between || mount_of(meant) == Mount::kSurface) && host_of(state, referent) == subject) return false;
   // Nothing stands between itself, or what has it, and something else.
   const Referent host = subject >= 0 ? host_of(state, subject) : kNobody;
   for (int m = list ? referent : -1; m >= 0; m = read_as(state, m).former) {
@@ -56,10 +68,7 @@ bool Decoder::consider(std::vector<Candidate>& all, const State& state, Referent
   // "a tub under the window, a stool next to it": seldom the window by which something else was placed.
   const bool by_opening = opening && referent >= 0 && read_as(state, referent).role == NounRole::kReference;
   // "a stove, two armchairs, a rug between them": between two, not three.
-  int listed = list ? 0 : noun_of(state, referent).count;
-  for (int m = list ? referent : -1; m >= 0; m = read_as(state, m).former)
-    listed += std::max(noun_of(state, m).count, several(state, m) ? 2 : 1);
-  const bool crowd = listed > 2 && senses != nullptr && says(*senses, RelationType::kBetween);
+  const bool crowd = between && things_of(state, referent, list) > 2;
   double score = (crowd ? weight::kBetweenMany : 0) + weight::kOrder * order + (by_opening ? weight::kItIsOpening : opening ? -0.3 : 0);
   if (noun != nullptr) score += number_score(*noun, list || several(state, referent));
   if (senses != nullptr && subject != kNobody && is_thing(state, subject))
@@ -88,7 +97,8 @@ double Decoder::antecedent_place_score(const State& state, Referent referent, Re
                       read_as(state, referent).predicate != read_as(state, subject).predicate;
   if (fellow && side && small && mount_of(meant) == Mount::kSurface) score += weight::kSideOfFellow;
   const bool its_top = noun != nullptr && (noun->head == "it" || noun->head.empty());  // "a cabinet beside the desk with a printer on top"
-  if (subject >= 0 && referent == owner && !side && lies && its_top) score += weight::kOnOwnHost;
+  if (subject >= 0 && referent == owner && !side && lies && its_top)
+    score += noun->head.empty() ? weight::kTopOfOwnHost : weight::kOnOwnHost;
   if (subject >= 0 && referent != owner && owner != kNobody && read_as(state, subject).former >= 0 && lies && lists_on_it(subject))
     score += weight::kNoReference;
   // "a mirror with a shelf below it"
@@ -109,7 +119,7 @@ double Decoder::antecedent_place_score(const State& state, Referent referent, Re
   if (laid_down && meant.kind == NounKind::kObject)
     score += mount_of(meant) == Mount::kSurface ? weight::kNotBeside - weight::kSmallTogether : -weight::kNotBeside;
   // What lies on the floor or on something else is seldom what one places things by.
-  if (stands(target) && !stands(meant)) score -= 0.8;
+  if (mount_of(target) == Mount::kFloor && !stands(meant)) score -= 0.8;
   return score;
 }
 
@@ -147,8 +157,14 @@ std::vector<Decoder::Candidate> Decoder::antecedents(const State& state, Referen
   // … "a freezer hums next to it, a cooler on top": on what was named right before.
   const int before_it = subject >= 0 ? read_as(state, subject).former : kNobody;
   const bool its = noun != nullptr && (noun->head == "it" || (noun->of && noun->of->kind == NounKind::kPronoun));
-  if ((unsaid || its) && upon && before_it >= 0 && read_as(state, before_it).placed) trial(before_it, -weight::kNamedOnceMore, false);
-  text_antecedents(state, senses, trial, clause_antecedents(state, noun, trial));
+  const bool carries = before_it >= 0 && read_as(state, before_it).placed && !is_seat(lexicon_.catalog(), chunk(before_it).noun);
+  if ((unsaid || its) && upon && carries) trial(before_it, -weight::kNamedOnceMore, false);
+  double order = clause_antecedents(state, noun, trial);
+  // What earlier sentences named is meant where this one has nothing of its own to mean; "a key and a radio, all on it": neither is.
+  const std::vector<int> list = subject >= 0 ? list_of(state, subject, -1) : std::vector<int>{};
+  if (std::any_of(all.begin(), all.end(), [&](const Candidate& own) { return std::ranges::find(list, own.referent) == list.end(); }))
+    order += weight::kSentenceBefore;
+  text_antecedents(state, senses, trial, order);
   std::stable_sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
   if (all.size() > kChoices) all.resize(kChoices);
   return all;
@@ -162,9 +178,19 @@ void Decoder::named_last(const State& state, const Trial& trial) const {
   }
 }
 
+// What the host of the thing at u has besides it: "a bench with two bags on it and a box between them".
+void Decoder::contents_of(const State& state, int u, const NounPhrase& noun, double order, const Trial& trial) const {
+  constexpr int kNear = 12;
+  const Referent host = host_of(state, u);
+  if (noun.head != "it" && !noun.plural) return;
+  for (int content = u; content-- > 0 && content + kNear > u;) {
+    if (is(content, UnitKind::kNoun) && read_as(state, content).role == NounRole::kContent && host_of(state, content) == host)
+      trial(content, noun.plural && several(state, content) ? order : order + 2, false);
+  }
+}
+
 // The sentence's own: what has the clause's thing, then that thing, then what was named for their sake, then groups.
 double Decoder::clause_antecedents(const State& state, const NounPhrase* noun, const Trial& trial) const {
-  constexpr int kNear = 12;
   const bool listed = is_list_wanted(noun);
   const auto lists = [&](int u, double at) {
     if (listed && u >= 0 && read_as(state, u).former >= 0) trial(u, at, true);
@@ -174,10 +200,7 @@ double Decoder::clause_antecedents(const State& state, const NounPhrase* noun, c
     const Referent host = host_of(state, state.frontier[f]);
     if (host == kNobody) continue;
     lists(host, order);
-    const bool its = noun != nullptr && noun->head == "it";
-    for (int u = state.frontier[f]; its && u-- > 0 && u + kNear > state.frontier[f];) {
-      if (is(u, UnitKind::kNoun) && read_as(state, u).role == NounRole::kContent && host_of(state, u) == host) trial(u, order + 2, false);
-    }
+    if (noun != nullptr) contents_of(state, state.frontier[f], *noun, order, trial);
     order += trial(host, order, false) ? 0.5 : 0;
   }
   if (!state.frontier.empty()) {
@@ -249,8 +272,8 @@ void Decoder::text_antecedents(const State& state, const PhraseSenses* senses, c
   for (std::size_t r = before_.roots.size(), looked = 0; r-- > 0 && looked < 6; ++looked, order += 0.6)
     trial(referent_of_mention(before_.roots[r]), order, false);
   int back = 0;
-  for (std::size_t m = document_.mentions.size(); m-- > 0 && back < kMentionsBack; ++back, order += 0.4)
-    trial(referent_of_mention(static_cast<int>(m)), order, false);
+  for (int m = static_cast<int>(document_.mentions.size()); m-- > 0 && back < kMentionsBack; ++back, order += 0.4)
+    trial(referent_of_mention(m), order + (m < before_.first ? weight::kLongAgo : 0), false);
 }
 
 }  // namespace layoutbox::offline

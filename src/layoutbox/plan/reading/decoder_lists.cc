@@ -278,7 +278,7 @@ double Decoder::list_kind_score(const State& state, int member, int u, std::size
   if (differ && one_verb && is_storage(host)) return 0;
   // "supporting a monitor, a ring light, and a microphone": what one carrying word says of a list is said of what may stand on the floor
   // too.
-  if (differ && carries_list(predicate) && !has_own_place(u) && stands_small(noun)) return 0.2;
+  if (carries_list(predicate) && !has_own_place(u) && (carried || stands_small(noun))) return carried ? weight::kCarriedToo : 0.6;
   if (differ && mount_of(noun) == Mount::kFloor && !carried) return weight::kStandsByItself;
   if (differ) return weight::kNotCarried;
   return joiner == Joiner::kComma ? -1.2 : 0;

@@ -35,6 +35,15 @@ bool is_place_of_room(NounKind kind) {
 
 }  // namespace
 
+// "its left end", and what has something: "the tabletop carries a tray".
+bool Decoder::is_part_of_other(int u) const {
+  const NounPhrase& noun = chunk(u).noun;
+  if (noun.kind != NounKind::kPart || !needs_owner(noun)) return false;
+  const bool carries = follows(u, UnitKind::kPlace) && !unit(u + 1).inverse.empty() && unit(u + 1).direct.empty();  // "supports"
+  return noun.determiner == Determiner::kPossessive ||
+         (noun.determiner == Determiner::kDefinite && (carries || follows(u, UnitKind::kHave)));
+}
+
 void Decoder::noun_actions(std::size_t s, int u) {
   const State& state = states_[s];
   const bool joined = unit(u).joiner != Joiner::kNone;
@@ -42,8 +51,7 @@ void Decoder::noun_actions(std::size_t s, int u) {
     waited_actions(s, u);
     return;
   }
-  const bool others = speaks_of_others(chunk(u).noun) || (chunk(u).noun.kind == NounKind::kPart && needs_owner(chunk(u).noun) &&
-                                                          chunk(u).noun.determiner == Determiner::kPossessive);
+  const bool others = speaks_of_others(chunk(u).noun) || is_part_of_other(u);
   if (others) member_actions(s, u);
   // "between the bed and the window stands a desk"
   if (joined && state.frontier.empty() && !state.fronted.empty() && is(u - 1, UnitKind::kNoun) &&
@@ -292,7 +300,10 @@ void Decoder::member_actions(std::size_t s, int u) {
   const NounPhrase& noun = chunk(u).noun;
   const bool verb = is(u + 1, UnitKind::kVerb) && unit(u + 1).joiner == Joiner::kNone;
   std::vector<Candidate> all = antecedents(state, kNobody, nullptr, &noun);
-  for (const Candidate& meant : all) add(s, kSpeakOf, meant.score + (verb ? 0.2 : 0), -1, -1, meant.referent, meant.list);
+  for (const Candidate& meant : all) {
+    const double own = noun.kind == NounKind::kPart ? sense_.of_part(noun, noun_of(state, meant.referent)) : 0;
+    add(s, kSpeakOf, meant.score + own + (verb ? 0.2 : 0), -1, -1, meant.referent, meant.list);
+  }
   add(s, kSpeakOf, -7);
 }
 

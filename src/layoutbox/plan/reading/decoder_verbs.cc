@@ -64,6 +64,9 @@ void Decoder::have_actions(std::size_t s, int u) {
 bool Decoder::tops_clause(const State& state, int u) const {
   if (state.frontier.size() < 2 || !is(u + 1, UnitKind::kNoun) || !is(u + 2, UnitKind::kPlace) || follows(u + 2, UnitKind::kNoun))
     return false;
+  // "two armchairs stand by the fireplace with a lamp between them": the armchairs have it.
+  const bool between = says(alone_senses(u + 2), RelationType::kBetween);
+  if (between) return several(state, state.frontier.front()) && !several(state, state.frontier.back());
   const int by = state.frontier.back();
   const int place = read_as(state, by).predicate;
   const bool beside = read_as(state, by).role == NounRole::kReference && place >= 0 && is(place, UnitKind::kPlace) &&

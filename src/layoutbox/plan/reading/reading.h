@@ -57,6 +57,7 @@ struct TextSoFar {
   int topic = -1;           // what the sentence before spoke of
   int fronted = -1;         // … what it placed things by, these named later
   std::vector<int> roots;   // … the things that it spoke of
+  int first = 0;            // … its first mention
   std::vector<int> listed;  // the last things that a sentence listed
   int sided = -1;           // … what something stands left or right of
   bool left = false;        // … left

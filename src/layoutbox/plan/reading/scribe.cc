@@ -16,6 +16,7 @@ void Scribe::write(const Sentence& sentence, const SentenceReading& reading) {
   link_.assign(sentence.size(), -1);
   one_side_ = -1;
   sentence_links_ = document_.links.size();
+  sentence_mentions_ = static_cast<int>(document_.mentions.size());
   const auto waits = [&](int u) { return is(u, UnitKind::kPlace) && this->reading(u).alone && this->reading(u).implied > u; };
   for (int u = 0; u < static_cast<int>(sentence.size()); ++u) {
     if (waits(u)) continue;
@@ -67,6 +68,7 @@ void Scribe::end_sentence() {
   if (!roots.empty()) {
     so_far_.topic = roots.front();
     so_far_.roots = std::move(roots);
+    so_far_.first = sentence_mentions_;
   }
 }
 

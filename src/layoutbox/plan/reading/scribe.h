@@ -135,6 +135,7 @@ class Scribe {
   std::vector<int> link_;     // of each unit
   int one_side_ = -1;         // "on one side of": "on the other" may follow
   std::size_t sentence_links_ = 0;
+  int sentence_mentions_ = 0;
 };
 
 }  // namespace layoutbox::offline

@@ -52,7 +52,7 @@ double SenseScore::before_each_seat(const NounPhrase& target, const NounPhrase& 
 // What lies on what.
 double SenseScore::on_top(const NounPhrase& target, const NounPhrase& reference) const {
   double score = 0;
-  if (small_host(reference)) score += weight::kSmallHost;
+  if (small_host(reference) || (is_chair(reference) && !is_textile(catalog_, target))) score += weight::kSmallHost;
   if (on_soft(reference, target)) score += weight::kSoftHost;
   if (one_of(reference.head, WordSet::kSmallVessels)) score += weight::kSmallHost;  // in it, not on it
   if (has_hooks(reference) && is_textile(catalog_, target)) score += weight::kHungOnHook;

@@ -108,7 +108,10 @@ bool UnitReader::passes_light_noun(std::size_t k) {
 // "a typewriter in the middle of the desktop": of the desk, where one was named and no computer.
 void UnitReader::mean_desktop(std::size_t k) {
   NounPhrase& noun = document_.chunks[k].noun;
-  if (noun.name != "desktop" || noun.kind != NounKind::kObject || noun.determiner != Determiner::kDefinite || !after_place()) return;
+  if (noun.name != "desktop" || noun.kind != NounKind::kObject || noun.determiner != Determiner::kDefinite) return;
+  const std::size_t verb = next(k);
+  const bool has = is(verb, ChunkKind::kHave) || (is(verb, ChunkKind::kRelation) && document_.tokens[chunk(verb).first].text == "supports");
+  if (!after_place() && !has) return;
   bool desk = false;
   for (std::size_t c = k > kFarthestBack ? k - kFarthestBack : 0; c < k; ++c) {
     if (!is(c, ChunkKind::kNoun) || chunk(c).noun.kind != NounKind::kObject) continue;
