@@ -79,7 +79,8 @@ std::string Dresser::add_on(const std::string& kind, const std::vector<std::stri
                             double x, double y, double level, double turned_deg) {
   const PlacedObject& below = *layout_.find_object(host);
   const double turn = below.rotation_deg + turned_deg, top = below.position[2] + level;
-  std::string id = add(kind, words, size, {{x, y, top}, turn, host});
+  // Whole millimetres: what a file says is what is drawn.
+  std::string id = add(kind, words, size, {{std::round(x), std::round(y), top}, turn, host});
   Relation on;
   on.id = "on " + id;
   on.type = RelationType::kOn;
