@@ -135,7 +135,8 @@ def measure_visibility(stay, out, meshes, width=480, height=270):
     view = View(stay, width, height)
     things = things_seen(out, meshes)
     seen, _ = cast_all(view, things)
-    walls = {number for number, (row, _) in enumerate(things) if row["kind"] in ("wall", "opening")}
+    # A door's open leaf hides what is behind it, and is no wall: what it hides is in "behind".
+    walls = {number for number, (row, _) in enumerate(things) if row["kind"] == "wall"}
     report = {"width": width, "height": height, "objects": {}, "behindWalls": 0, "leftOut": []}
     for number, (row, (points, faces)) in enumerate(things):
         if row["kind"] not in ("object", "floor"):

@@ -243,6 +243,13 @@ bool NounPhraseReader::read_other(const Match& match, bool noun_before) {
   for (std::size_t t = phrase_.first; noun_before && t-- > 0 && t + kBack > phrase_.first && !tokens_[t].ends_sentence && !second;)
     second = tokens_[t].text == "one" && lexicon_.find_phrase(tokens_, t + 1).length > 0;
   second = second && lexicon_.find_phrase(tokens_, i_ + 1).length > 0;
+  if (at_word("ones") && named && !noun_before) {  // "blue ones", "the tall ones"
+    phrase_.kind = NounKind::kMember;
+    phrase_.plural = true;
+    i_ += 1;
+    done_ = true;
+    return false;
+  }
   if (has(match, Class::kNumber) && at_word("one") && named && !counts_next && !after_plural &&
       !second) {  // "the left one", "the other one"
     phrase_.kind = NounKind::kMember;

@@ -18,6 +18,8 @@ inline bool is_new_thing(const NounPhrase& noun) {
 
 // "it", "one", "each", "the other": speaks of what was named. "Another one" is new.
 bool speaks_of_others(const NounPhrase& noun);
+// "another one", "a smaller one", "high ones": brings in more of a kind.
+bool is_another(const NounPhrase& noun);
 
 class Decoder {
  public:

@@ -26,9 +26,10 @@ bool stands(const NounPhrase& noun) {
   return noun.kind != NounKind::kObject || (mount_of(noun) == Mount::kFloor && (noun.entry == nullptr || !noun.entry->thin));
 }
 
-// "both", "them": a list may be meant as well.
+// "both", "them", "each": a list may be meant as well.
 bool is_list_wanted(const NounPhrase* noun) {
-  const bool each_of_them = noun != nullptr && noun->determiner == Determiner::kEach && noun->subset && !noun->of;
+  const bool each_of_them =
+      noun != nullptr && noun->determiner == Determiner::kEach && (noun->subset || noun->kind == NounKind::kMember) && !noun->of;
   return noun != nullptr && (noun->plural || each_of_them || noun->determiner == Determiner::kBoth || noun->count == 2);
 }
 

@@ -10,11 +10,14 @@
 
 namespace layoutbox::offline {
 
+bool is_another(const NounPhrase& noun) {
+  const bool told =
+      (noun.determiner == Determiner::kIndefinite || (noun.determiner == Determiner::kNone && noun.plural)) && !noun.attributes.empty();
+  return (noun.determiner == Determiner::kAnother || told) && !noun.subset && noun.of == nullptr;
+}
+
 bool speaks_of_others(const NounPhrase& noun) {
-  if (noun.kind == NounKind::kPronoun) return true;
-  if (noun.kind != NounKind::kMember) return false;
-  const bool fresh = noun.determiner == Determiner::kAnother || (noun.determiner == Determiner::kIndefinite && !noun.attributes.empty());
-  return !fresh || noun.subset || noun.of != nullptr;
+  return noun.kind == NounKind::kPronoun || (noun.kind == NounKind::kMember && !is_another(noun));
 }
 
 namespace {

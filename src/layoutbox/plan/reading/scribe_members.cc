@@ -65,11 +65,21 @@ int Scribe::make_another(int u, const NounPhrase& noun) {
   NounPhrase copy = noun_of(kind.front());
   copy.determiner = Determiner::kIndefinite;
   copy.count = noun.count;
-  copy.plural = noun.count > 1;
+  copy.plural = noun.plural || noun.count > 1;
   copy.rows = 0;
   if (!noun.attributes.empty()) {
     copy.attributes = noun.attributes;
     copy.attribute_classes = noun.attribute_classes;
+    // "low bookcases …, high ones": bookcases that are not low
+    const std::size_t space = copy.name.find(' ');
+    const bool sized = std::ranges::find(noun.attribute_classes, WordClass::kSizeWord) != noun.attribute_classes.end();
+    const std::vector<Token> first = tokenize(copy.name.substr(0, space));
+    const CatalogEntry* plain = lexicon_.catalog().find_by_words(copy.head);
+    if (sized && space != std::string::npos && plain != nullptr && lexicon_.find(first, 0, WordClass::kSizeWord).length > 0) {
+      copy.name = copy.head;
+      copy.entry = plain;
+      copy.category = plain->id;
+    }
   }
   copy.first = noun.first;
   copy.last = noun.last;
@@ -145,11 +155,16 @@ bool Scribe::same_as_placed(int u) const {
 
 // "two beds: a large one under the window and a small one by the door": of those that the sentence counted, while some are left.
 bool Scribe::describes_one_of(int u, const NounPhrase& noun) const {
-  if (noun.determiner != Determiner::kIndefinite || noun.count > 1) return false;
+  if (noun.determiner == Determiner::kIndefinite ? noun.count > 1 : noun.determiner != Determiner::kNone) return false;
   for (int before = u; before-- > 0;) {
     const int m = mention_[static_cast<std::size_t>(before)];
     if (!is(before, UnitKind::kNoun) || !is_thing(m) || !mention_at(m).introduces) continue;
     const bool counted = noun_of(m).count > 1 && mention_at(m).items.size() == static_cast<std::size_t>(noun_of(m).count);
+    // "two red chairs by the window, two blue ones by the door": none of those
+    const bool unlike = std::ranges::any_of(noun.attribute_classes, [&](WordClass word_class) {
+      return std::ranges::find(noun_of(m).attribute_classes, word_class) != noun_of(m).attribute_classes.end();
+    });
+    if (counted && unlike) return false;
     if (counted && reading(before).role != NounRole::kReference)
       return unit(before + 1).joiner != Joiner::kNone || is(before + 1, UnitKind::kPlace) ? references_.has_left_of(m) : false;
     if (noun_of(m).count <= 1 && reading(before).role != NounRole::kReference) return false;
@@ -160,8 +175,7 @@ bool Scribe::describes_one_of(int u, const NounPhrase& noun) const {
 int Scribe::make_member(int u, const NounPhrase& noun) {
   if (const int same = make_ordinal(noun); same >= 0) return same;
   if (const int others = others_listed(u, noun); others >= 0) return others;
-  const bool fresh = noun.determiner == Determiner::kAnother || (noun.determiner == Determiner::kIndefinite && !noun.attributes.empty());
-  if (fresh && !noun.subset && !noun.of && !describes_one_of(u, noun)) {
+  if (is_another(noun) && !describes_one_of(u, noun)) {
     if (const int another = make_another(u, noun); another >= 0) return another;
   }
   if (const int more = make_more(u, noun); more >= 0) return more;
