@@ -128,11 +128,11 @@ const FreeSpace* Piece::open_above() const {
 }
 
 double Piece::clear_below(double otherwise) const {
-  double level = 0;
+  double highest = 0;
   for (const FreeSpace& space : spaces) {
-    if (space.box.min.z < 0.01 && space.box.max.z < h - 0.001) level = std::max(level, space.box.max.z);
+    if (space.box.min.z < 0.01 && space.box.max.z < h - 0.001) highest = std::max(highest, space.box.max.z);
   }
-  return level > 0 ? level : otherwise;
+  return highest > 0 ? highest : otherwise;
 }
 
 bool Piece::is_free(const Box& b) const {

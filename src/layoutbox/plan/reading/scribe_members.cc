@@ -3,6 +3,7 @@
 
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/reading/decoder.h"
 #include "layoutbox/plan/reading/scribe.h"
 
 namespace layoutbox::offline {

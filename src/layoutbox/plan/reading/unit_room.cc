@@ -30,6 +30,14 @@ const PhraseSenses& at_spot_senses() {
                        RelationType::kNextTo>();
 }
 
+// "the left", "the right side", and no "of" after it, ending at `last`; empty: no side.
+std::string side_said(std::span<const Token> tokens, std::size_t last) {
+  if (last < 2 || last > tokens.size() || (last < tokens.size() && tokens[last].text == "of")) return {};
+  const std::size_t word = last - (tokens[last - 1].text == "side" ? 2 : 1);
+  const bool side = tokens[word].text == "left" || tokens[word].text == "right";
+  return side && word > 0 && tokens[word - 1].text == "the" ? tokens[word].text : std::string{};
+}
+
 }  // namespace
 
 // "along one side of the room", "on each side of the hall": at its side walls.
@@ -128,14 +136,7 @@ bool UnitReader::is_side_of_room(std::size_t k) const {
 // "Sink and dishwasher on the left side, hob on the right": units of a kitchen, and what stands at walls, are at the sides of the room
 // where the text tells of both; which side, or empty.
 std::string UnitReader::run_side_of_room(std::size_t k) const {
-  const auto& tokens = document_.tokens;
-  const auto side_at = [&](std::size_t last) -> std::string {  // "the left", "the right side", and no "of" after it
-    if (last < 2 || last > tokens.size() || (last < tokens.size() && tokens[last].text == "of")) return {};
-    const std::size_t word = last - (tokens[last - 1].text == "side" ? 2 : 1);
-    const bool side = tokens[word].text == "left" || tokens[word].text == "right";
-    return side && word > 0 && tokens[word - 1].text == "the" ? tokens[word].text : std::string{};
-  };
-  const std::string side = side_at(chunk(k).last);
+  const std::string side = side_said(document_.tokens, chunk(k).last);
   if (side.empty()) return {};
   const bool large = is_large_by_itself(previous(k));
   std::size_t thing = previous(k);
@@ -161,7 +162,7 @@ std::string UnitReader::run_side_of_room(std::size_t k) const {
     at_wall |= is(c, ChunkKind::kNoun) && chunk(c).noun.kind == NounKind::kWall && one_of(chunk(c).noun.wall_word, {"back", "front"});
     if (wall && chunk(c).noun.wall_word != side && large) return side;
     if (c == k || !is(c, ChunkKind::kRelation)) continue;
-    const std::string other = side_at(chunk(c).last);
+    const std::string other = side_said(document_.tokens, chunk(c).last);
     if (!other.empty() && other != side && (unit || is_large_by_itself(previous(c)) || at_wall)) return side;
   }
   // "a workbench at the back wall, shelving on the left side": where such lists go along the walls

@@ -185,6 +185,7 @@ class Habits {
   bool before_its_host(int item) const;
   std::vector<int> usual_hosts(int item) const;
   bool takes_seat(int host, int seat) const;
+  std::vector<int> seen_from(int item) const;
   bool look_at(int item, bool leads = false, const std::vector<int>& crowd = {});
 
   // Habits of groups (habits_groups.cc).

@@ -92,10 +92,9 @@ void Habits::stand_at_side(int item) {
 
 bool Habits::before_its_host(int item) const { return model_.items[item].is(Trait::kStandsBefore); }
 
-// Its front to what it is for: sofas to screens, easy chairs to the table between. False: there is nothing of that.
-bool Habits::look_at(int item, bool leads, const std::vector<int>& crowd) {
+// What it may look at, the likeliest first.
+std::vector<int> Habits::seen_from(int item) const {
   const Item& self = model_.items[item];
-  if (!self.has_front) return false;
   std::vector<int> seen = items_of_kinds(self.entry->faces, item);
   // Each has its own mirror before all others.
   std::ranges::stable_partition(seen, [&](int other) { return related_as_target(item, other, RelationType::kFacing); });
@@ -105,6 +104,14 @@ bool Habits::look_at(int item, bool leads, const std::vector<int>& crowd) {
   // … and a visitor the bed that the chair is told to be at.
   if (self.is(Trait::kTableSeat)) std::ranges::stable_partition(seen, [&](int other) { return related(item, other); });
   if (self.is(Trait::kTableSeat)) std::erase_if(seen, [&](int other) { return !takes_seat(other, item) || waits_for(item, other); });
+  return seen;
+}
+
+// Its front to what it is for: sofas to screens, easy chairs to the table between. False: there is nothing of that.
+bool Habits::look_at(int item, bool leads, const std::vector<int>& crowd) {
+  const Item& self = model_.items[item];
+  if (!self.has_front) return false;
+  const std::vector<int> seen = seen_from(item);
   for (const int seen_one : seen) {
     const int other = stand_of_screen(seen_one);
     if (model_.items[other].mount != Mount::kFloor && model_.items[other].mount != Mount::kWall && seen.size() > 1 && seen_one != seen[0])
