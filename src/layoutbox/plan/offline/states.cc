@@ -12,16 +12,29 @@ namespace {
 
 constexpr std::size_t kStateReach = 6;  // words from a thing to its state
 
+struct StatePhrase {
+  std::vector<std::string> words;
+  std::string attribute;
+};
+
+const std::vector<StatePhrase>& state_phrases() {
+  static const std::vector<StatePhrase> kStateRows = [] {
+    std::vector<StatePhrase> phrases;
+    for (const WordList::Member state : word_list("words_attributes").at("states")) {
+      for (const WordList::Member phrase : state.value) phrases.push_back({words_of(phrase.value.text()), std::string(state.key)});
+    }
+    return phrases;
+  }();
+  return kStateRows;
+}
+
 // The attribute for the state that is said at token `at`; empty where none is.
 std::string state_at(const std::vector<Token>& tokens, std::size_t at) {
-  for (const WordList::Member state : word_list("words_attributes").at("states")) {
-    for (const WordList::Member phrase : state.value) {
-      const std::vector<std::string> words = words_of(phrase.value.text());
-      const auto is_said = [&](std::size_t k) { return at + k < tokens.size() && tokens[at + k].text == words[k]; };
-      std::size_t same = 0;
-      while (same < words.size() && is_said(same)) ++same;
-      if (same == words.size()) return std::string(state.key);
-    }
+  for (const StatePhrase& phrase : state_phrases()) {
+    const auto is_said = [&](std::size_t k) { return at + k < tokens.size() && tokens[at + k].text == phrase.words[k]; };
+    std::size_t same = 0;
+    while (same < phrase.words.size() && is_said(same)) ++same;
+    if (same == phrase.words.size()) return phrase.attribute;
   }
   return {};
 }
@@ -55,13 +68,18 @@ StateSaid state_after(const Lexicon& lexicon, const std::vector<Token>& tokens, 
 }  // namespace
 
 void settle_states(const Lexicon& lexicon, Document& document) {
+  std::vector<const Mention*> things;  // in the order of the text
+  for (const Mention& mention : document.mentions) {
+    if (!mention.items.empty()) things.push_back(&mention);
+  }
+  const auto begins = [](const Mention* mention) { return mention->noun.first; };
+  std::ranges::stable_sort(things, {}, begins);
   for (const Mention& mention : document.mentions) {
     if (mention.items.empty() || mention.noun.last == 0) continue;
-    std::size_t next = document.tokens.size();
-    for (const Mention& other : document.mentions) {
-      const bool thing = !other.items.empty() && other.items != mention.items;
-      if (thing && other.noun.first >= mention.noun.last) next = std::min(next, other.noun.first);
-    }
+    auto other = std::ranges::lower_bound(things, mention.noun.last, {}, begins);
+    const std::size_t reach = mention.noun.last + kStateReach;  // beyond it no state is looked for
+    while (other != things.end() && begins(*other) < reach && (*other)->items == mention.items) ++other;
+    const std::size_t next = other == things.end() ? document.tokens.size() : begins(*other);
     const StateSaid said = state_after(lexicon, document.tokens, mention.introduces ? mention.noun.last : mention.noun.first, next);
     if (said.attribute.empty()) continue;
     const std::size_t all = mention.items.size();
