@@ -444,12 +444,17 @@ class Maker {
     if (relation.type == RelationType::kAbove) relation.parameters.gap.reset();
   }
 
-  // Nobody says of one table that it stands around the cup on it; the solver looks for a ring outside of what it is around.
-  bool surrounds_its_load(const Relation& relation) const {
+  // Nobody says of a table that it stands around the cup on it, or of the cup that it stands around the table; the solver looks for a
+  // ring outside of what it is around.
+  bool surrounds_host_or_load(const Relation& relation) const {
     if ((relation.type != RelationType::kSurround && relation.type != RelationType::kAround) || relation.references.size() != 1)
       return false;
-    const PlacedObject* load = layout_.find_object(relation.references[0]);
-    return load != nullptr && std::ranges::find(relation.targets, load->supported_by) != relation.targets.end();
+    const auto stands_on = [&](const std::string& load, const std::string& host) {
+      const PlacedObject* placed = layout_.find_object(load);
+      return placed != nullptr && placed->supported_by == host;
+    };
+    const std::string& middle = relation.references[0];
+    return std::ranges::any_of(relation.targets, [&](const auto& t) { return stands_on(middle, t) || stands_on(t, middle); });
   }
 
   // Draws relations until enough of them hold in the planted layout, without any slack.
@@ -472,7 +477,7 @@ class Maker {
     for (std::size_t i = 0; i < drawn.relations.size() && wanted > 0; ++i) {
       const Relation& relation = drawn.relations[i].relation;
       int& used = of_type[static_cast<std::size_t>(relation.type)];
-      if (!report.checks[i].passed || used >= 2 || surrounds_its_load(relation)) continue;
+      if (!report.checks[i].passed || used >= 2 || surrounds_host_or_load(relation)) continue;
       ++used, --wanted;
       scene_.relations.push_back(relation);
     }

@@ -78,12 +78,40 @@ double share_under(const CatalogEntry& entry, const SceneObject& host, const Siz
   return best;
 }
 
-// A cabinet with a box under it stands on legs.
+// So many things are said to be in it.
+std::size_t guests_in(const SceneGraph& scene, const SceneObject& host) {
+  std::size_t guests = 0;
+  for (const Relation& r : scene.relations) {
+    if (r.type == RelationType::kIn && r.references.size() == 1 && r.references.front() == host.id) guests += r.targets.size();
+  }
+  return guests;
+}
+
+// How well what is in it fits there: the share of the one that fits least.
+double share_of_guests(const NormalizeContext& context, const CatalogEntry& entry, const SceneObject& host) {
+  const std::size_t guests = guests_in(context.scene, host);
+  double share = 1;
+  for (const Relation& r : context.scene.relations) {
+    if (r.type != RelationType::kIn || r.references != std::vector{host.id}) continue;
+    for (const SceneObject& guest : context.scene.objects) {
+      if (std::ranges::find(r.targets, guest.id) != r.targets.end() && guest.size)
+        share = std::min(share, share_inside(entry, host, guest.size->least, guests));
+    }
+  }
+  return share;
+}
+
+// A cabinet with a box under it stands on legs, where that leaves what is in it its room.
 void raise(NormalizeContext& context, const CatalogEntry& entry, SceneObject& host, const Size& guest) {
   const bool seat = !entry.is(Trait::kBed) && (entry.is(Trait::kSeat) || entry.is(Trait::kEasySeat) || entry.is(Trait::kCenterPiece));
   host.size->least.height = host.size->usual.height;
   const double most = entry.is(Trait::kCounter) ? kMostRaisedTop : seat ? kMostRaisedSeat : kMostRaised;
+  const double room_before = share_of_guests(context, entry, host);
   host.raised = std::min<Mm>(guest.height + kOverGuest, static_cast<Mm>(most * host.size->least.height));
+  if (share_of_guests(context, entry, host) < room_before) {
+    host.raised = 0;
+    return;
+  }
   context.note("filled",
                fmt::format("\"{}\" stands on legs of {}, so that something finds room under it", host.id, metres_text(host.raised)),
                fmt::format("/furniture/{}/spaces", &host - context.scene.objects.data()));
@@ -132,15 +160,6 @@ void lay_down(const Catalog& catalog, const CatalogEntry& entry, const SceneObje
   };
   if (share_under(entry, host, lie(least)) < 1) return;
   guest.size = SizeRange{lie(guest.size->least), lie(guest.size->usual), lie(guest.size->greatest)};
-}
-
-// So many things are said to be in it.
-std::size_t guests_in(const SceneGraph& scene, const SceneObject& host) {
-  std::size_t guests = 0;
-  for (const Relation& r : scene.relations) {
-    if (r.type == RelationType::kIn && r.references.size() == 1 && r.references.front() == host.id) guests += r.targets.size();
-  }
-  return guests;
 }
 
 // A crate that something stands on and nothing is in is closed, or stands upside down.

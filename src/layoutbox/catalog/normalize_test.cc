@@ -52,6 +52,19 @@ TEST(NormalizeGuests, AWorktopOverAWashingMachineIsABoardAndTheMachineWholeSized
   EXPECT_GE(scene->objects[0].raised, scene->objects[1].size->usual.height);
 }
 
+// What is in it needs its shelf: legs would leave none.
+TEST(NormalizeGuests, FurnitureKeepsTheShelfOfWhatIsInIt) {
+  const auto raised = [](std::vector<Relation> relations) {
+    relations.push_back(relation(RelationType::kUnder, {"stool_1"}, {"prep_table_1"}));
+    return normalized(
+               scene_of({object("prep_table_1", "prep_table"), object("stool_1", "stool"), object("jar_1", "jar")}, std::move(relations)))
+        .objects[0]
+        .raised;
+  };
+  EXPECT_GT(raised({}), 0);
+  EXPECT_EQ(raised({relation(RelationType::kIn, {"jar_1"}, {"prep_table_1"})}), 0);
+}
+
 TEST(NormalizeGuests, WhatIsSaidToBeUnderSomethingElseOrNowhereLeavesItAsItIs) {
   for (const RelationType type : {RelationType::kNextTo, RelationType::kOn}) {
     const SceneGraph scene =
