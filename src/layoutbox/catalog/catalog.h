@@ -86,6 +86,7 @@ struct RoomKind {
   std::vector<std::string> synonyms;
   Size usual_size;                                 // of an ordinary room of this kind
   std::vector<std::pair<std::string, int>> usual;  // entry id and how many, most important first
+  std::vector<std::vector<std::string>> needs;     // what it is no such room without: one of each row, usually the first
   std::string door;                                // the look of a door of its own ("garage"), by words_openings.json; empty: none
 };
 

@@ -32,6 +32,9 @@ class Checker {
     }
     for (const RoomKind& room : data_.rooms) {
       for (const auto& item : room.usual) check_name(room.id, "usual", item.first);
+      for (const auto& row : room.needs) {
+        for (const std::string& id : row) check_name(room.id, "needs", id);
+      }
     }
     return std::move(errors_);
   }

@@ -172,6 +172,7 @@ RoomKind read_room(const json& value) {
   const json& size = value.at("size");
   room.usual_size = {mm_from_m(size.at("w").get<double>()), mm_from_m(size.at("d").get<double>()), mm_from_m(size.at("h").get<double>())};
   for (const json& item : value.at("usual")) room.usual.emplace_back(item.at(0).get<std::string>(), item.at(1).get<int>());
+  if (const auto needs = value.find("needs"); needs != value.end()) room.needs = needs->get<std::vector<std::vector<std::string>>>();
   room.door = value.value("door", std::string());
   return room;
 }

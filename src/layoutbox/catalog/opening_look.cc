@@ -62,6 +62,8 @@ class LookReader {
     if (key == "slides") look_.slides = true;
     if (key == "rail") look_.rail = true;
     if (key == "outside") look_.outside = true;
+    if (key == "onward") look_.onward = true;
+    if (key == "outward") look_.outward = true;
     if (key == "whole") look_.whole = true;
     if (key == "bay") look_.bay = true;
     if (key == "w") look_.width = mm_from_m(value.number());

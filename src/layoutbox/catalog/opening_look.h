@@ -19,6 +19,8 @@ struct OpeningLook {
   bool slides = false;
   bool rail = false;     // hangs before the wall
   bool outside = false;  // leads out of the house
+  bool onward = false;   // leads on into another room, so that the room has an entrance besides
+  bool outward = false;  // its leaf swings out of the room
   bool whole = false;    // from one end of its wall to the other
   bool bay = false;      // it stands out of the wall
   OpeningShape shape = OpeningShape::kRectangle;

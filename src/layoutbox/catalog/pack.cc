@@ -138,7 +138,8 @@ void describe(Archive& archive, T& value) {
             top_carries, clearance, hang_height, spaces, stands_on, faces, beside, rooms, shape.family, shape.symbol, shape.numbers,
             shape.words, source);
   } else if constexpr (std::is_same_v<Plain, RoomKind>) {
-    members(archive, value.id, value.name, value.synonyms, value.usual_size, value.usual);
+    auto& [id, name, synonyms, usual_size, usual, needs, door] = value;
+    members(archive, id, name, synonyms, usual_size, usual, needs, door);
   } else {
     members(archive, value.first, value.second);  // a pair
   }

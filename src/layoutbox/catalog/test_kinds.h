@@ -28,6 +28,8 @@ inline const Catalog& catalog() {
     {"id": "rug", "name": "rug", "thin": true, "size": {"w": 2.0, "d": 1.4, "h": 0.02}, "shape": {"family": "rug"}},
     {"id": "plant", "name": "plant", "size": {"w": 0.4, "d": 0.4, "h": [0.3, 0.8, 1.5]}, "hasFront": false, "shape": {"family": "plant"}},
     {"id": "tv", "name": "TV", "mount": "surface", "hangHeight": 1.0, "size": {"w": 1.2, "d": 0.1, "h": 0.7}, "standsOn": ["nightstand"], "shape": {"family": "tv"}},
+    {"id": "workbench", "name": "workbench", "size": {"w": 1.5, "d": 0.7, "h": 0.9}, "topCarries": true, "shape": {"family": "desk"},
+     "spaces": [{"name": "shelf", "min": ["-w/2+0.06", "-d/2+0.06", "0.18"], "max": ["w/2-0.06", "d/2-0.06", "h-0.06"]}]},
     {"id": "wardrobe", "name": "wardrobe", "size": {"w": [0.8, 1.5, 2.4], "d": 0.6, "h": [1.8, 2.0, 2.4]}, "backToWall": true, "shape": {"family": "cabinet"}}
   ]})",
                                                   R"({"rooms": [{"id": "bedroom", "name": "bedroom", "synonyms": ["master bedroom"],

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "layoutbox/catalog/groups.h"
 #include "layoutbox/catalog/trait_table.h"
@@ -27,6 +28,7 @@ class Companions {
     const std::size_t before = scene_.objects.size();
     for (const std::size_t i : named_) seat_at(i);
     for (const std::size_t i : named_) carry(i);
+    add_needs();
     for (const Companion& companion : groups_.companions) add_by(companion);
     if (!says_where()) fill();
     return scene_.objects.size() - before;
@@ -237,6 +239,22 @@ class Companions {
       const RelationTraits& traits = traits_of(r.type);
       return r.origin == Origin::kAsked && !traits.order_only && !traits.turns && std::ranges::any_of(r.targets, is_furniture);
     });
+  }
+
+  // A kitchen of which little is named has what one cooks with, wherever the text places that little.
+  void add_needs() {
+    constexpr std::size_t kLittle = 3;  // kinds of furniture
+    const RoomKind* room = scene_.room.type.empty() ? nullptr : catalog_.find_room(scene_.room.type);
+    std::set<std::string> kinds;
+    for (const std::size_t i : named_) {
+      if (stands(scene_.objects[i])) kinds.insert(scene_.objects[i].category);
+    }
+    if (room == nullptr || kinds.size() > kLittle || spoken_.says_any(groups_.none_to_fill)) return;
+    for (const std::vector<std::string>& any_of : room->needs) {
+      const CatalogEntry* usual = catalog_.find(any_of.front());
+      const auto is_there = [&](const std::string& id) { return has_kind(id); };
+      if (usual != nullptr && !spoken_.of(*usual) && std::ranges::none_of(any_of, is_there)) add(*usual);
+    }
   }
 
   // What a bare room of that kind mostly has, the most important first.

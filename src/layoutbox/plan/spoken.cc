@@ -19,7 +19,7 @@ Spoken::Spoken(const SceneGraph& scene, std::vector<std::string> excluded, const
     : catalog_(&catalog), excluded_(std::move(excluded)), said_(words_of(scene.prompt)) {
   for (const SceneObject& object : scene.objects) {
     const bool named = object.origin == Origin::kAsked || object.origin == Origin::kConcluded;
-    if (named) named_.emplace_back(object.category, head_of(object.name));
+    if (named) named_.push_back({object.category, head_of(object.name), object.origin == Origin::kAsked});
   }
 }
 
@@ -32,18 +32,19 @@ bool Spoken::excludes(const CatalogEntry& kind) const {
 }
 
 bool Spoken::of(const CatalogEntry& kind) const {
-  const auto is_more_general = [&](const auto& thing) { return catalog_->is_a(kind.id, thing.first); };
+  const auto is_more_general = [&](const auto& thing) { return catalog_->is_a(kind.id, thing.category); };
   return of_just(kind) || std::ranges::any_of(named_, is_more_general);
 }
 
 bool Spoken::of_just(const CatalogEntry& kind) const {
   const std::string head = head_of(kind.name);
-  const auto names = [&](const auto& thing) { return catalog_->is_a(thing.first, kind.id) || thing.second == head; };
+  const auto names = [&](const auto& thing) { return catalog_->is_a(thing.category, kind.id) || thing.head == head; };
   return std::ranges::any_of(named_, names) || excludes(kind);
 }
 
 bool Spoken::names(const CatalogEntry& kind) const {
-  return excludes(kind) || std::ranges::any_of(named_, [&](const auto& thing) { return catalog_->is_a(thing.first, kind.id); });
+  return excludes(kind) ||
+         std::ranges::any_of(named_, [&](const auto& thing) { return thing.asked && catalog_->is_a(thing.category, kind.id); });
 }
 
 bool Spoken::says_any(const std::vector<std::string>& phrases) const {

@@ -21,7 +21,7 @@ class Spoken {
   bool of(const CatalogEntry& kind) const;
   // The same, but for things of a more general kind.
   bool of_just(const CatalogEntry& kind) const;
-  // Only that kind and special ones, or it wants none: "chairs" are no office chairs.
+  // It asks for that kind or a special one, or it wants none: "chairs" are no office chairs, and those of "a table for four" not asked for.
   bool names(const CatalogEntry& kind) const;
   // One of the phrases stands in the text, word for word.
   bool says_any(const std::vector<std::string>& phrases) const;
@@ -34,7 +34,11 @@ class Spoken {
 
   const Catalog* catalog_;
   std::vector<std::string> excluded_, said_;
-  std::vector<std::pair<std::string, std::string>> named_;  // category, head noun
+  struct Named {
+    std::string category, head;  // `head`: its noun
+    bool asked = false;          // not only concluded from for how many it is
+  };
+  std::vector<Named> named_;
 };
 
 }  // namespace layoutbox

@@ -90,6 +90,20 @@ bool is_kind(const Chunk& chunk, std::string_view kind) {
 
 }  // namespace
 
+void settle_namesakes(Document& document) {
+  std::vector<Chunk>& chunks = document.chunks;
+  for (std::size_t k = 0; k + 2 < chunks.size(); ++k) {
+    NounPhrase& whole = chunks[k].noun;
+    Chunk& part = chunks[k + 2];
+    if (chunks[k].kind != ChunkKind::kNoun || chunks[k + 1].kind != ChunkKind::kHave || part.kind != ChunkKind::kNoun) continue;
+    const bool same = whole.entry != nullptr && whole.entry == part.noun.entry && whole.exact && part.noun.exact;
+    if (!same || whole.head == part.noun.head || whole.is_plural() || part.noun.is_plural() || part.noun.count > 1) continue;
+    whole.attributes.insert(whole.attributes.end(), part.noun.attributes.begin(), part.noun.attributes.end());
+    whole.attribute_classes.insert(whole.attribute_classes.end(), part.noun.attribute_classes.begin(), part.noun.attribute_classes.end());
+    chunks[k + 1].kind = part.kind = ChunkKind::kIgnored;
+  }
+}
+
 void settle_worktops(Document& document) {
   const auto is_units = [](const Chunk& chunk) { return is_kind(chunk, "base_cabinet"); };
   if (std::ranges::none_of(document.chunks, is_units)) return;

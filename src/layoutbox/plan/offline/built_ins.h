@@ -8,6 +8,9 @@ namespace layoutbox::offline {
 // "white cupboards, oak worktop": the units have it; it is no unit besides.
 void settle_worktops(Document& document);
 
+// "a fireplace with a marble mantel": what has a thing's name and is said to be one's own part is no second one.
+void settle_namesakes(Document& document);
+
 // Where parts of such a thing are named (`built_of` of words_kinds.json), it is the plain thing that carries them, and has them all.
 void settle_built_ins(const Lexicon& lexicon, Document& document);
 

@@ -15,6 +15,7 @@
 #include "layoutbox/plan/offline/inserts.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/labels.h"
+#include "layoutbox/plan/offline/languages.h"
 #include "layoutbox/plan/offline/left_out.h"
 #include "layoutbox/plan/offline/object_size.h"
 #include "layoutbox/plan/offline/people.h"
@@ -54,6 +55,10 @@ class OfflinePlanner final : public Planner {
     document.prompt = std::string(prompt);
     document.tokens = tokenize(prompt);
     end_last_sentence(document);
+    if (const auto language = foreign_language(document)) {
+      return fail(ErrorCode::kEmpty, "the text seems to be " + *language + ", and the offline planner reads English", "prompt",
+                  "write it in English, or use a language model: --planner llm");
+    }
     correct_spelling(lexicon_, document.tokens, document.stop);
     part_contractions(document.tokens);
     if (is_set(document.stop)) return stopped();
@@ -87,6 +92,7 @@ class OfflinePlanner final : public Planner {
     if (is_set(document.stop)) return stopped();
     settle_corrected_places(document);
     settle_opening_sizes(document);
+    settle_door_swings(document);
     settle_opening_walls(lexicon_, document);
     settle_opening_ends(lexicon_, document);
     settle_finishes(lexicon_, document);
@@ -98,7 +104,9 @@ class OfflinePlanner final : public Planner {
     settle_room_senses(lexicon_, document, room_size_at);
     settle_company(lexicon_, document);
     settle_worktops(document);
+    settle_namesakes(document);
     settle_floor_carpets(document);
+    settle_grid_counts(document);
     settle_forward_counts(document);
     settle_forward_names(document);
     settle_filling_counts(lexicon_, document);

@@ -312,6 +312,19 @@ TEST_F(OfflinePlannerTest, SeveralRoomsAreNamedInAWarning) {
                           [](const Note& note) { return note.message.find("bathroom") != std::string::npos; }));
 }
 
+TEST_F(OfflinePlannerTest, SaysWhichLanguageItCannotRead) {
+  const std::pair<const char*, const char*> texts[] = {
+      {"Ein Wohnzimmer, 5 mal 6 Meter, mit einem roten Sessel am Fenster und einem Sofa.", "German"},
+      {"moi je voudrais une chambre d'amis simple, lit double contre le mur, deux tables de chevet et un miroir", "French"},
+      {"Quiero un dormitorio con una cama junto a la ventana y dos mesitas.", "Spanish"}};
+  for (const auto& [text, language] : texts) {
+    const auto plan = planner_->plan(text, {});
+    ASSERT_FALSE(plan) << text;
+    EXPECT_NE(plan.error().message.find(language), std::string::npos) << plan.error().message;
+  }
+  EXPECT_TRUE(planner_->plan("A café with a chaise longue à la mode, a table de chevet, and an en suite bathroom.", {}));
+}
+
 TEST_F(OfflinePlannerTest, RefusesWhatIsNoPrompt) {
   EXPECT_EQ(planner_->plan("", {}).error().code, ErrorCode::kEmpty);
   EXPECT_EQ(planner_->plan("  ...  ", {}).error().code, ErrorCode::kEmpty);

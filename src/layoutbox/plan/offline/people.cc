@@ -5,6 +5,7 @@
 #include "layoutbox/base/units.h"
 #include "layoutbox/catalog/groups.h"
 #include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
 #include "layoutbox/plan/offline/reader_words.h"
@@ -336,6 +337,15 @@ class PeopleReader {
   Document& document_;
 };
 
+// "… three reclining couches": whether what is counted before `at` is a thing.
+bool names_thing(const Lexicon& lexicon, const std::vector<Token>& tokens, std::size_t at) {
+  const auto describes = [](const Token& token) {
+    return token.kind == Token::Kind::kWord && (word_form(token.text) == WordForm::kAdjective || token.text.ends_with("ing"));
+  };
+  while (at < tokens.size() && lexicon.find(tokens, at, Class::kObject).length == 0 && describes(tokens[at])) ++at;
+  return at < tokens.size() && lexicon.find(tokens, at, Class::kObject).length > 0;
+}
+
 }  // namespace
 
 void read_seats_said(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
@@ -358,7 +368,7 @@ void read_seats_said(const Lexicon& lexicon, Document& document, std::vector<boo
     const Match digits = lexicon.find(tokens, number, Class::kNumber);
     const std::size_t length = tokens[number].kind == Token::Kind::kNumber ? 1 : digits.length;
     if (length == 0 || number + length > tokens.size() || skip[number]) continue;
-    const bool thing = number + length < tokens.size() && lexicon.find(tokens, number + length, Class::kObject).length > 0;
+    const bool thing = names_thing(lexicon, tokens, number + length);
     const bool measure = number + length < tokens.size() && lexicon.find(tokens, number + length, Class::kUnit).length > 0;
     // "the printer sits to one side of the monitor"
     const bool side = number + length < tokens.size() && lexicon.is(tokens[number + length], Class::kSide);

@@ -65,7 +65,7 @@ std::vector<std::string> RelationBuilder::opening_ids(const NounPhrase& noun) co
   const std::vector<std::string> look =
       opening_said(noun.kind == NounKind::kDoor ? OpeningType::kDoor : OpeningType::kWindow, noun).attributes;
   // "by the balcony door" is by that one; "by the door" by the entrance.
-  const auto is_meant = [&](const Opening& o) { return look.empty() ? !leads_outside(o) : o.attributes == look; };
+  const auto is_meant = [&](const Opening& o) { return look.empty() ? !leads_elsewhere(o, scene_.room) : o.attributes == look; };
   // "the boss door": the one that was brought in by that name.
   const std::string name = bare_name(noun);
   if (wanted == 1 && name.find(' ') != std::string::npos) {

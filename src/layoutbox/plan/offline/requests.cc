@@ -25,6 +25,7 @@ class RequestReader : public TokenReader {
       read_weight(i);
       read_whose(i);
       read_not_but(i);
+      read_not_so(i);
       read_stranded(i);
       read_left(i);
       read_is_where(i);
@@ -136,6 +137,19 @@ class RequestReader : public TokenReader {
       leave_out(i, but + 1);
       if (i > 0 && tokens_[i - 1].text == ",") leave_out(i - 1, i);
       return;
+    }
+  }
+
+  // "three desks, not in a row please", "a bed, not against the wall": away from it
+  void read_not_so(std::size_t i) {
+    if (i == 0 || !is(i, {"not"})) return;
+    if (is(i + 1, {"against"})) {
+      tokens_[i].text = "away";
+      tokens_[i + 1].text = "from";
+      if (tokens_[i - 1].text == ",") leave_out(i - 1, i);
+    } else if (is(i + 1, {"in"}) && is(i + 2, {"a", "one"})) {
+      const std::size_t form = is(i + 3, {"straight", "single", "long", "neat"}) ? i + 4 : i + 3;
+      if (is(form, {"row", "line", "file", "circle", "grid"})) leave_out(i, form + 1);
     }
   }
 

@@ -21,7 +21,8 @@ bool is_finish_word(const Document& document, std::size_t i, std::string_view li
   return false;
 }
 
-// A finish of the table whose words begin at `i`: how many they are, and where it is by itself ("wall", "floor"; "": it must be said).
+// A finish of the table whose words begin at `i`: how many they are, and where it is by itself ("wall", "floor", "both"; "": it must be
+// said).
 struct Finish {
   std::size_t length = 0;
   std::string_view where;
@@ -95,6 +96,10 @@ class FinishReader {
     if (first > 0 && (document_.tokens[first - 1].kind == Token::Kind::kNumber || lexicon_.is(document_.tokens[first - 1], Class::kNumber)))
       return 0;
     if (first > 0 && lexicon_.is(document_.tokens[first - 1], Class::kBe)) return 0;  // "one wall is exposed brick": said of that wall
+    // "a table with green tiles on top": its own
+    const bool of_thing = first > 1 && lexicon_.is(document_.tokens[first - 1], Class::kHave) &&
+                          lexicon_.find(document_.tokens, first - 2, Class::kObject).length > 0;
+    if (finish.where == "both" && of_thing) return 0;
     const bool indefinite = first > 0 && lexicon_.is(document_.tokens[first - 1], Class::kIndefinite);
     if (indefinite) --first;
     std::size_t last = at + finish.length;
@@ -110,7 +115,7 @@ class FinishReader {
     noun.kind = (where ? where->floor : finish.where == "floor") ? NounKind::kFloor : NounKind::kWall;
     noun.determiner = indefinite ? Determiner::kIndefinite : Determiner::kNone;
     noun.head = noun.kind == NounKind::kFloor ? "floor" : "wall";
-    noun.name = noun.head;
+    noun.name = where || finish.where != "both" ? noun.head : std::string(kWallsAndFloor);
     noun.attributes = {material};
     noun.attribute_classes = {Class::kMaterial};
     noun.plural = where ? where->all : !behind;

@@ -1,6 +1,7 @@
 // The form of a room whose size is not said in full: "long and narrow", "a square room", "a galley kitchen".
 #include <algorithm>
 
+#include "layoutbox/base/words.h"
 #include "layoutbox/catalog/word_lists.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
 #include "layoutbox/plan/offline/room_reader.h"
@@ -21,7 +22,9 @@ class FormReader {
       const std::string form = form_at(i);
       if (form.empty() || is_measured(i)) continue;
       const std::size_t after = past_adjectives(i);
-      if (is_room(after) || (closes(after) && is_said_of_room(i))) return form;
+      // "An L-shaped kitchen": its units stand so, which is read with the room's name.
+      const bool letters = form.size() == 1;
+      if ((is_room(after) && !letters) || (closes(after) && is_said_of_room(i))) return form;
     }
     return {};
   }
@@ -31,10 +34,17 @@ class FormReader {
   std::string form_at(std::size_t i) const {
     for (const WordList::Member form : word_list("words_room").at("room_forms")) {
       for (const WordList::Member word : form.value) {
-        if (tokens_[i].text == word.value.text()) return std::string(form.key);
+        if (says_at(i, words_of(word.value.text()))) return std::string(form.key);
       }
     }
     return {};
+  }
+
+  bool says_at(std::size_t i, const std::vector<std::string>& words) const {
+    for (std::size_t w = 0; w < words.size(); ++w) {
+      if (i + w >= tokens_.size() || tokens_[i + w].text != words[w]) return false;
+    }
+    return true;
   }
 
   bool is_of(std::size_t i, Class word_class) const { return lexicon_.find(tokens_, i, word_class).length > 0; }

@@ -44,6 +44,8 @@ TEST(RoomLooks, WordsOfDoorsAndWindows) {
       {"A bathroom with a frosted window.", "window frosted"},
       {"A study with an oak door and a balcony door.", "door oak, door balcony"},
       {"A wardrobe with sliding doors and a bed.", ""},
+      {"A bathroom with a door opening outwards.", "door outwards"},
+      {"Bedroom with a bed and a wardrobe, bathroom door visible from the bed.", "door bathroom"},
   };
   for (const auto& [text, openings] : cases) EXPECT_EQ(openings_of(room_said(text)), openings) << text;
 }
@@ -82,6 +84,8 @@ TEST(RoomLooks, ADoorToTheOutsideIsNoEntrance) {
   EXPECT_EQ(room.openings[1].type, OpeningType::kDoor);
   EXPECT_EQ(room.openings[1].origin, Origin::kAssumed);
   EXPECT_EQ(room_said("A garage with a garage door.").openings.size(), 2u);  // and a window
+  EXPECT_EQ(room_said("A bedroom with a bed and a bathroom door.").openings.size(), 3u);
+  EXPECT_EQ(room_said("A bathroom with a tub and a bathroom door.").openings.size(), 2u);
 }
 
 TEST(RoomLooks, SizesFitTheRoom) {
@@ -113,6 +117,8 @@ TEST(RoomLooks, FinishesOfWallsAndFloors) {
       {"A bedroom with a dark green accent wall behind the bed.", "back: dark green"},
       {"A bed stands against the left wall. The wall behind the bed is dark blue.", "left: dark blue"},
       {"A bathroom with white tiles up the walls.", "walls: white tiles"},
+      {"Dark bathroom, black tiles, a freestanding tub.", "walls: black tiles; floor: black tiles"},
+      {"A kitchen with a table with green tiles on top.", ""},
       {"A nursery with striped wallpaper and a crib.", "walls: striped wallpaper"},
       {"A living room with wallpaper with flowers and a sofa.", "walls: wallpaper with flowers"},
       {"A bathroom with a bathtub. White tiles on the floor and green tiles on the walls.", "walls: green tiles; floor: white tiles floor"},

@@ -110,6 +110,25 @@ void settle_opening_sizes(Document& document) {
   }
 }
 
+// "a door 90 cm wide opening outwards", "the door swings out": until another thing is named.
+void settle_door_swings(Document& document) {
+  constexpr std::size_t kWords = 10;
+  for (std::size_t k = 0; k < document.chunks.size(); ++k) {
+    NounPhrase& door = document.chunks[k].noun;
+    if (document.chunks[k].kind != ChunkKind::kNoun || door.kind != NounKind::kDoor) continue;
+    const auto next = std::find_if(document.chunks.begin() + static_cast<std::ptrdiff_t>(k) + 1, document.chunks.end(), [](const Chunk& c) {
+      return c.kind == ChunkKind::kStop ||
+             (c.kind == ChunkKind::kNoun && (c.noun.kind == NounKind::kObject || c.noun.kind == NounKind::kWindow));
+    });
+    const std::size_t end = next == document.chunks.end() ? document.tokens.size() : next->first;
+    for (std::size_t i = door.first; i + 1 < std::min(end, door.last + kWords); ++i) {
+      if (says_one_of(document, i, {"open", "opens", "opening", "swing", "swings", "swinging"}) &&
+          says_one_of(document, i + 1, {"out", "outward", "outwards"}))
+        door.attributes.emplace_back("outwards");
+    }
+  }
+}
+
 std::string bare_name(const NounPhrase& noun) {
   std::string_view name = noun.name;
   for (const std::string_view article : {"the ", "a ", "an ", "this ", "that ", "one ", "single "}) {
@@ -156,7 +175,7 @@ Opening opening_said(OpeningType type, const NounPhrase& noun) {
   Opening opening;
   opening.type = type;
   opening.attributes = looks_said(type, noun);
-  opening.swing = window ? Swing::kNone : look.slides ? Swing::kSliding : Swing::kInLeft;
+  opening.swing = window ? Swing::kNone : look.slides ? Swing::kSliding : look.outward ? Swing::kOutLeft : Swing::kInLeft;
   const Mm usual = window ? 1200 : openings_said(noun) == 1 && noun.plural ? 1600 : 900;
   opening.width = look.width.value_or(usual);
   opening.height = look.height.value_or(window ? 1200 : 2000);
@@ -175,6 +194,10 @@ bool is_usual(const Opening& opening) {
          opening.swing == usual.swing;
 }
 
-bool leads_outside(const Opening& opening) { return look_of(opening).outside; }
+bool leads_elsewhere(const Opening& opening, const Room& room) {
+  const OpeningLook look = look_of(opening);
+  const bool into_itself = std::ranges::any_of(opening.attributes, [&](const std::string& word) { return word == room.type; });
+  return look.outside || (look.onward && !into_itself);  // "the bathroom door" of a bathroom is its entrance
+}
 
 }  // namespace layoutbox::offline

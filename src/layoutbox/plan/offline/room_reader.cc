@@ -240,7 +240,7 @@ void add_openings(const Document& document, SceneGraph& scene) {
     const bool anew = mention.noun.determiner != Determiner::kDefinite && !meant.attributes.empty();
     const auto same = [&](const Opening& o) {
       const std::string wall = wall_of_opening(mention.noun.wall_word, type, room);
-      const bool other = leads_outside(o) != leads_outside(meant) || (anew && o.attributes != meant.attributes);
+      const bool other = leads_elsewhere(o, room) != leads_elsewhere(meant, room) || (anew && o.attributes != meant.attributes);
       return o.type == type && !other && (wall.empty() || o.wall.empty() || o.wall == wall);
     };
     const auto there = std::ranges::find_if(scene.room.openings, same);
@@ -257,7 +257,7 @@ void add_openings(const Document& document, SceneGraph& scene) {
 
 // A door to the outside is no entrance.
 bool is_there(OpeningType type, const Room& room) {
-  return std::ranges::any_of(room.openings, [&](const Opening& o) { return o.type == type && !leads_outside(o); });
+  return std::ranges::any_of(room.openings, [&](const Opening& o) { return o.type == type && !leads_elsewhere(o, room); });
 }
 
 // A wall that the text says nothing of, for a door to the outside: seen best, and not where one comes in.
@@ -301,7 +301,9 @@ void add_door_of_kind(const Catalog& catalog, SceneGraph& scene) {
   const bool told = std::ranges::any_of(room.openings, [&](const Opening& o) {
     return o.type == OpeningType::kDoor && std::ranges::find(o.attributes, kind->door) != o.attributes.end();
   });
-  if (told) return;
+  // Of two doors that are named one is it.
+  const auto doors = std::ranges::count(room.openings, OpeningType::kDoor, &Opening::type);
+  if (told || doors > 1) return;
   NounPhrase door;
   door.attributes = {kind->door};
   add_opening(scene, OpeningType::kDoor, door, {});
@@ -380,6 +382,7 @@ void set_surfaces(const Lexicon& lexicon, const Document& document, Room& room) 
     if (noun.kind != NounKind::kFloor && noun.kind != NounKind::kWall && noun.kind != NounKind::kCeiling) continue;
     const std::string material = finish_of(lexicon, document, noun);
     if (material.empty()) continue;
+    if (noun.name == kWallsAndFloor && room.floor_material.empty()) room.floor_material = material;
     if (noun.kind == NounKind::kCeiling)
       room.ceiling_material = material;
     else if (noun.kind == NounKind::kFloor)

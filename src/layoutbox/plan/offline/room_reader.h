@@ -27,8 +27,14 @@ std::string wall_of_niche(const Room& room, const Niche& niche);
 // "The door is 1 m wide", "two windows, each 2 m wide": the sizes become the openings' own.
 void settle_opening_sizes(Document& document);
 
+// Which doors are said to open out of the room.
+void settle_door_swings(Document& document);
+
 // "a window to the east", "the entrance is on the left": the side becomes the opening's wall word.
 void settle_opening_walls(const Lexicon& lexicon, Document& document);
+
+// The name of what is said of both: "black tiles".
+inline constexpr std::string_view kWallsAndFloor = "walls and floor";
 
 // "the door at one end and the window at the other", "the entrance on the narrow side": the opening's wall word is "short", "long" or
 // "other", which is settled when the room's sides are known.
@@ -57,7 +63,7 @@ std::pair<std::string, std::string> walls_by_length(const NounPhrase& noun, cons
 // Neither its size nor its look is said to be another than that of an opening of which nothing is said.
 bool is_usual(const Opening& opening);
 // To a balcony, a terrace, the garden: no entrance.
-bool leads_outside(const Opening& opening);
+bool leads_elsewhere(const Opening& opening, const Room& room);
 // How many openings a noun phrase names.
 int openings_said(const NounPhrase& noun);
 

@@ -4,6 +4,7 @@
 
 #include "layoutbox/catalog/kin.h"
 #include "layoutbox/plan/offline/people.h"
+#include "layoutbox/plan/offline/reader_words.h"
 
 namespace layoutbox::offline {
 
@@ -156,6 +157,11 @@ void mean_part(const Lexicon& lexicon, const RoomKind& room, const std::string& 
   part.as_object = std::move(object);
 }
 
+// "a small table" of a clinic is none to lie on.
+bool is_said_small(const NounPhrase& noun) {
+  return std::ranges::any_of(noun.attributes, [](const std::string& a) { return one_of(a, {"small", "little", "tiny", "low", "round"}); });
+}
+
 }  // namespace
 
 void settle_room_senses(const Lexicon& lexicon, Document& document, const std::vector<std::size_t>& room_size_at) {
@@ -199,6 +205,7 @@ void settle_room_senses(const Lexicon& lexicon, Document& document, const std::v
     const CatalogEntry* first = has ? document.chunks[k + 2].noun.entry : nullptr;
     const bool has_things = has && (first == nullptr || first->mount != Mount::kWall);  // "a vanity with a mirror"
     if (has_things && noun.entry != nullptr && noun.entry->top_carries && !entry->top_carries) continue;
+    if (entry->is(Trait::kLieOn) && is_said_small(noun)) continue;
     noun.kind = NounKind::kObject;
     noun.entry = entry;
     noun.category = entry->id;

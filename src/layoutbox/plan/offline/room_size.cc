@@ -255,6 +255,13 @@ class SizeReader {
     commas_.push_back({last, comma_token()});
   }
 
+  // "my dorm room: bed, desk, fridge, 10 sqm": an item of its own is no thing's floor.
+  bool stands_alone(std::size_t first, std::size_t last) const {
+    const auto parts = [&](std::size_t i) { return tokens_[i].kind == Token::Kind::kPunctuation; };
+    return (first == 0 || parts(first - 1) || tokens_[first - 1].ends_sentence) &&
+           (last >= tokens_.size() || parts(last) || tokens_[last - 1].ends_sentence);
+  }
+
   std::size_t read_area(std::size_t at) {
     if (tokens_[at].kind != Token::Kind::kNumber || at + 1 >= tokens_.size()) return 0;
     Match unit = lexicon_.find(tokens_, at + 1, Class::kAreaUnit);
@@ -273,7 +280,7 @@ class SizeReader {
       return 0;
     }
     const double side = std::sqrt(tokens_[at].number * scale);
-    if (!speaks_of_room(at, at + length, {side, side})) return 0;
+    if (!stands_alone(at, at + length) && !speaks_of_room(at, at + length, {side, side})) return 0;
     size_.area = tokens_[at].number * scale;
     take(at, at + length, "area of the room");
     return length;

@@ -70,10 +70,17 @@ class Furnisher {
     for (std::size_t i = 0; i < document_.tokens.size();) {
       const Match match = lexicon_.find(document_.tokens, i);
       if (const Meaning* room = meaning_of(match, WordClass::kRoom);
-          room != nullptr && !has(match, WordClass::kAbstract) && !has(match, WordClass::kOutsideRoom))
+          room != nullptr && !has(match, WordClass::kAbstract) && !has(match, WordClass::kOutsideRoom) && !names_opening(i + match.length))
         add_kind(room->room);
       i += std::max<std::size_t>(match.length, 1);
     }
+  }
+
+  // "the bathroom door on the back wall": that room is next door.
+  bool names_opening(std::size_t i) const {
+    if (i >= document_.tokens.size()) return false;
+    const Match match = lexicon_.find(document_.tokens, i);
+    return has(match, WordClass::kDoor) || has(match, WordClass::kWindow);
   }
 
   void add_kind(const RoomKind* kind) {
