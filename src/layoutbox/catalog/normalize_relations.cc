@@ -83,8 +83,8 @@ class SupportChooser {
       if (const SceneObject* found = freest(is_such)) return found;
     }
     if (entry(object_).hang_height > 0) return nullptr;  // a television rather hangs than stands on the coffee table
-    // Coats hang on no cupboard's top, and boots stand on none.
-    if (object_.mount == Mount::kHung || entry(object_).is(Trait::kKeptLow)) return nullptr;
+    // Coats hang on no cupboard's top, boots stand on none, and hobs are no part of other tops than worktops.
+    if (object_.mount == Mount::kHung || entry(object_).is(Trait::kKeptLow) || entry(object_).is(Trait::kHob)) return nullptr;
     const auto carries = [&](const SceneObject& o) { return allowed(o) && entry(o).top_carries && o.mount == Mount::kFloor; };
     // Where one sits nothing stands as long as there is another top.
     if (const SceneObject* found = freest([&](const SceneObject& o) { return carries(o) && !entry(o).is(Trait::kSeat); })) return found;

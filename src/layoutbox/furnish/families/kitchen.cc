@@ -94,7 +94,32 @@ void stove(Piece& p) {
   burners(p, top, room);
 }
 
+// In a tall unit: a door below, the oven (or two) at hand's height, a door above.
+void oven_tower(Piece& p) {
+  const int body = p.part("fronts", "white"), bar = p.part("handles", "steel"), steel = p.main("steel");
+  const double face = -p.d / 2 + 0.035, gap = 0.003, front = face - 0.018;
+  p.add(body, box(sides(-p.w / 2, p.w / 2, face, p.d / 2, 0, p.h), 0.004));
+  const auto panel = [&](int surface, double z0, double z1) {
+    p.add(surface, box(sides(-p.w / 2 + gap, p.w / 2 - gap, front, face, z0 + gap, z1 - gap), 0.003));
+  };
+  const auto door = [&](double z0, double z1, double grip) {
+    panel(body, z0, z1);
+    handle(p, bar, Handle::kVertical, {p.w / 2 - 0.06, front, grip}, 0.16, front + p.d / 2);
+  };
+  constexpr double kPlinth = 0.08, kOven = 0.6, kSliver = 0.15;
+  const int ovens = p.says("double") ? 2 : 1;
+  const double low = ovens == 2 ? p.h * 0.2 : p.h * 0.32, each = std::min(kOven, (p.h - low) / ovens), high = low + ovens * each;
+  door(kPlinth, low, low - 0.14);
+  for (double z = low; z < high - kSliver; z += each) {
+    panel(steel, z, z + each);
+    oven_front(p, z, z + each - 0.06, front);
+  }
+  if (high + kSliver < p.h) door(high, p.h, high + 0.14);
+}
+
 void oven(Piece& p) {
+  constexpr double kTower = 1.3;
+  if (p.h > kTower && !p.says("open")) return oven_tower(p);
   const int steel = p.main("steel"), face_surface = p.named("black_plastic");
   const double face = -p.d / 2 + std::min(0.035, p.d * 0.1);
   p.add(steel, box(sides(-p.w / 2, p.w / 2, face, p.d / 2, 0, p.h), 0.006));

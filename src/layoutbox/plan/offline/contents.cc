@@ -154,6 +154,8 @@ void RelationBuilder::add_content(const Link& link, const Mention& target, const
   const bool sat_on = is_seat(catalog_, host) || (host.entry != nullptr && host.entry->is(Trait::kEasySeat));
   if (is_lamp(catalog_, thing) && sat_on && mount != Mount::kCeiling && !link.holding) return each(R::kNextTo);
   const bool looked_at = thing.entry != nullptr && thing.entry->is(Trait::kScreen);
+  // "a corner sofa with a TV": it looks at it.
+  if (looked_at && sat_on && mount != Mount::kFloor) return add(link, R::kFacing, {id(hosts.front())}, {id(target.items.front())});
   const bool inside = (holds_inside(host) && !looked_at) || (says_inside(link) && has_inside(host));
   // "a cork board with photographs": pinned to it.
   const bool pinned = has_hooks(host) && mount == Mount::kWall && thing.entry != nullptr && host.entry != nullptr &&

@@ -88,7 +88,6 @@ void RelationBuilder::divide(std::size_t word) {
   const bool said = std::ranges::any_of(scene_.relations, [&](const Relation& r) {
     return r.type == R::kBetween && r.origin == Origin::kAsked && r.targets == std::vector<std::string>{id(divider)};
   });
-  if (said) return widen(divider);
   std::vector<int> sides;
   const auto take = [&](int item) {
     if (item >= 0 && item != divider && !contains(sides, item) && sides.size() < 2) sides.push_back(item);
@@ -100,6 +99,7 @@ void RelationBuilder::divide(std::size_t word) {
   for (std::size_t i = word + 1; i < last; ++i) take(side_at(i));
   if (passive && sides.size() > 1) sides.resize(1);  // "separated from the living area by a shelf, a sofa"
   for (std::size_t i = word; i-- > first && sides.size() < 2;) take(side_at(i));
+  if (said && sides.size() < 2) return widen(divider);  // "divides the dining area from the living area" names both
   if (sides.size() == 1) take(other_side(divider, sides.front()));
   if (sides.size() < 2 || noun_of_item(sides[0]).entry == noun_of_item(sides[1]).entry) return;
   const std::vector<std::string> parted{id(sides[0]), id(sides[1])};
@@ -108,12 +108,44 @@ void RelationBuilder::divide(std::size_t word) {
   std::erase_if(scene_.relations, [&](const Relation& r) {
     const bool by_it = r.targets == std::vector<std::string>{own} && std::ranges::any_of(r.references, is_parted);
     const bool it_by = r.references == std::vector<std::string>{own} && std::ranges::any_of(r.targets, is_parted);
-    return (by_it || it_by) && r.type != R::kDistance;
+    const bool said_otherwise = said && r.type == R::kBetween && r.targets == std::vector<std::string>{own};
+    return said_otherwise || ((by_it || it_by) && r.type != R::kDistance);
   });
   widen(divider);
   add_habit(R::kBetween, {own}, parted, kTogether, "what parts two groups stands between them");
   scene_.relations.back().hard = true;
   scene_.relations.back().origin = Origin::kConcluded;
+}
+
+// "TV with a sofa and two armchairs on the left, dining table on the right, a low bookcase between both": no shelf is between two chairs of
+// one group; the groups are meant.
+void RelationBuilder::part_groups() {
+  for (Relation& between : scene_.relations) {
+    if (between.type != R::kBetween || between.targets.size() != 1 || between.references.size() != 2 || !between.asked()) continue;
+    const auto divider = objects_.find(between.targets[0]);
+    if (divider == objects_.end() || !may_divide(static_cast<int>(divider->second))) continue;
+    const auto is_one_seat = [&](const std::string& one) {
+      const SceneObject* object = object_of(one);
+      const CatalogEntry* entry = object == nullptr ? nullptr : noun_of_object(*object).entry;
+      return entry != nullptr && (entry->is(Trait::kSeat) || entry->is(Trait::kEasySeat)) && !entry->is(Trait::kCenterPiece);
+    };
+    const bool grouped = std::ranges::any_of(scene_.relations, [&](const Relation& r) {
+      return r.type == R::kAround && std::ranges::all_of(between.references, [&](const std::string& one) {
+               return std::ranges::find(r.targets, one) != r.targets.end();
+             });
+    });
+    if (!grouped || !std::ranges::all_of(between.references, is_one_seat)) continue;
+    int table = -1;
+    for (std::size_t i = 0; i < document_.items.size(); ++i) {
+      if (document_.items[i].noun.entry != nullptr && document_.items[i].noun.entry->is(Trait::kTable) &&
+          is_eaten_at(document_.items[i].noun))
+        table = static_cast<int>(i);
+    }
+    const int heart = other_side(static_cast<int>(divider->second), table);
+    if (table < 0 || heart < 0) continue;
+    between.references = {id(heart), id(table)};
+    widen(static_cast<int>(divider->second));
+  }
 }
 
 void RelationBuilder::divide_groups() {

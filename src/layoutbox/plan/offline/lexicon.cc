@@ -312,6 +312,11 @@ bool Lexicon::names_place(std::span<const Token> tokens, std::size_t at) const {
   if (at + 1 < tokens.size() && is(tokens[at], WordClass::kPlaceVerb) &&
       (tokens[at + 1].kind == Token::Kind::kNumber || is(tokens[at + 1], WordClass::kIndefinite) || is(tokens[at + 1], WordClass::kNumber)))
     return false;
+  // "a table on the left near the window": no near wall
+  const PhraseSenses* by = at < tokens.size() ? phrases_.find(tokens[at].text) : nullptr;
+  if (by != nullptr && std::ranges::find(*by, RelationType::kNear, &PhraseSense::type) != by->end() && match.length == 1 &&
+      at + 1 < tokens.size() && !names_place(tokens, at + 1))
+    return false;
   return std::any_of(match.meanings.begin(), match.meanings.end(), [](const Meaning& m) {
     return m.word_class == WordClass::kWall || m.word_class == WordClass::kCorner || m.word_class == WordClass::kObject ||
            m.word_class == WordClass::kWallWord || m.word_class == WordClass::kDoor || m.word_class == WordClass::kWindow;

@@ -43,6 +43,8 @@ void RelationBuilder::run() {
   }
   add_mounts_said();
   set_heights();
+  settle_kitchen();
+  part_groups();
   part_from_neighbours();
   leave_small_vessels();
   stand_carriers_at_walls();
@@ -218,7 +220,8 @@ void RelationBuilder::add_relations(const Link& link) {
   if (link.references.empty()) return add_alone(link, targets);
   const Mention& first = mention(link.references.front());
   const bool several = link.references.size() > 1 || first.items.size() > 1 || first.noun.is_plural();
-  if (several && says(link.senses, R::kBetween)) return add_between(link, targets);
+  const bool between = says(link.senses, R::kBetween);
+  if (between && (several || parted_by(link).size() > 1)) return add_between(link, targets);
   if (add_at_walls(link, targets)) return;
   for (const int reference : link.references) {
     if (mention(reference).reciprocal)

@@ -77,6 +77,7 @@ class RelationBuilder {
   void add_each_other(const Link& link, const std::vector<int>& said);
   std::string carrier_of(const std::vector<std::string>& objects) const;
   std::vector<std::vector<std::string>> between_pairs(const Link& link, const std::vector<std::string>& all) const;
+  std::vector<int> parted_by(const Link& link) const;
   void add_between(const Link& link, const std::vector<int>& targets);
   void add_seats_near(const Link& link, const std::vector<std::string>& seats, int table);
   bool are_flankers(const std::vector<std::string>& pair, int middle) const;
@@ -148,7 +149,15 @@ class RelationBuilder {
   int other_side(int divider, int side) const;
   void widen(int divider);
   void divide(std::size_t word);
+  void part_groups();
   void divide_groups();
+  // A kitchen told by its units (kitchens.cc)
+  bool stands_in_run(const std::string& object) const;
+  std::vector<std::string> units_of_run() const;
+  void build_in_ovens();
+  void place_in_run(Relation& relation, const std::vector<std::string>& units);
+  void share_out_over_run(const std::vector<std::string>& units);
+  void settle_kitchen();
   void add_front();
   void add_end_walls();
   void hang_hoods();
@@ -161,6 +170,8 @@ class RelationBuilder {
   void make_islands();
   bool is_only_by_opening(const std::string& object) const;
   void seat_at_only_table();
+  void seat_at_placed_table();
+  void seat_viewers();
   const SceneObject* mirror_looked_into(const Relation& looks) const;
   void hang_mirrors_over_counters();
   void share_doors();

@@ -62,9 +62,32 @@ void RelationBuilder::add_seats_near(const Link& link, const std::vector<std::st
   }
 }
 
+// "a stove to the right of the sink with a counter between": between these two, not between several that the text has besides.
+std::vector<int> RelationBuilder::parted_by(const Link& link) const {
+  const std::string said = words_between(document_, link.first, link.last);
+  if ((said != "between" && said != "in between") || link.references.size() != 1) return link.references;
+  auto at = std::ranges::find_if(document_.links, [&](const Link& l) { return &l == &link; });
+  if (at == document_.links.end()) return link.references;
+  while (at != document_.links.begin() && (&*at == &link || at->kind == Link::Kind::kHave)) --at;
+  const Link& before = *at;
+  const auto is_thing = [&](const std::vector<int>& said_of) { return said_of.size() == 1 && mention(said_of[0]).items.size() == 1; };
+  const bool pair = before.kind == Link::Kind::kRelation && is_thing(before.targets) && is_thing(before.references);
+  if (!pair || before.targets[0] == link.targets[0] || before.references[0] == link.targets[0]) return link.references;
+  const auto& tokens = document_.tokens;
+  for (std::size_t i = before.last; i < link.first; ++i) {
+    if (tokens[i].ends_sentence) return link.references;
+  }
+  const auto is_of = [&](int m) {
+    const std::vector<int>& items = mention(link.references[0]).items;
+    return items.size() > 1 && std::ranges::find(items, mention(m).items.front()) != items.end();
+  };
+  if (is_of(before.targets[0]) || is_of(before.references[0])) return link.references;
+  return {before.targets[0], before.references[0]};
+}
+
 void RelationBuilder::add_between(const Link& link, const std::vector<int>& targets) {
   std::vector<std::string> references;
-  for (const int m : link.references) {
+  for (const int m : parted_by(link)) {
     if (!mention(m).items.empty()) {
       const auto step = static_cast<std::size_t>(std::max(mention(m).noun.apart, 1));
       for (std::size_t i = 0; i < mention(m).items.size(); i += step) references.push_back(id(mention(m).items[i]));

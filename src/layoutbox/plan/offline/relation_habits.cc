@@ -220,7 +220,9 @@ void RelationBuilder::add_habits() {
   turn_screens_to_viewers();
   seat_around_faced_tables();
   seat_those_who_wait();
+  seat_at_placed_table();
   seat_at_only_table();
+  seat_viewers();
   hang_mirrors_over_counters();
   const std::size_t said = scene_.relations.size();
   for (std::size_t r = 0; r < said; ++r) {

@@ -26,6 +26,27 @@ void RelationBuilder::seat_those_who_wait() {
   }
 }
 
+// "TV on the left wall with a sofa and two armchairs": who watches it looks at that wall and has no back to it.
+void RelationBuilder::seat_viewers() {
+  for (Relation& at : scene_.relations) {
+    if (at.type != R::kAgainstWall || at.targets.size() != 1 || at.references.size() != 1) continue;
+    if (at.why.find("wall") != std::string::npos) continue;  // said of the seat itself
+    const SceneObject* seat = object_of(at.targets[0]);
+    const CatalogEntry* entry = seat == nullptr ? nullptr : noun_of_object(*seat).entry;
+    if (entry == nullptr || !(entry->is(Trait::kEasySeat) || entry->is(Trait::kCenterPiece))) continue;
+    const auto shows_there = [&](const Relation& r) {
+      const SceneObject* screen = r.type == R::kOnWall && r.references == at.references ? object_of(r.targets[0]) : nullptr;
+      const CatalogEntry* shown = screen == nullptr ? nullptr : noun_of_object(*screen).entry;
+      return shown != nullptr && shown->is(Trait::kScreen);
+    };
+    const auto shown = std::ranges::find_if(scene_.relations, shows_there);
+    if (shown == scene_.relations.end()) continue;
+    at.type = R::kFacing;
+    at.references = {shown->targets[0]};
+    at.hard = entry->is(Trait::kCenterPiece);  // the others may sit round the table
+  }
+}
+
 // Is nothing said of it but that it is by a door or window?
 bool RelationBuilder::is_only_by_opening(const std::string& object) const {
   return std::ranges::all_of(relations_of(object), [&](std::size_t r) {
@@ -34,6 +55,29 @@ bool RelationBuilder::is_only_by_opening(const std::string& object) const {
         relation.type == R::kNextTo || relation.type == R::kNear || relation.type == R::kNearWindow || relation.type == R::kNearDoor;
     return by && std::ranges::all_of(relation.references, [&](const std::string& id) { return scene_.find_object(id) == nullptr; });
   });
+}
+
+// "a table and six chairs in the middle": the table is, the chairs are at it.
+void RelationBuilder::seat_at_placed_table() {
+  for (std::size_t r = 0; r < scene_.relations.size(); ++r) {
+    Relation& middle = scene_.relations[r];
+    if (middle.type != R::kCenterOfRoom || middle.targets.size() < 3) continue;
+    std::vector<std::string> tables, seats;
+    for (const std::string& one : middle.targets) {
+      const SceneObject* object = object_of(one);
+      const CatalogEntry* entry = object == nullptr ? nullptr : noun_of_object(*object).entry;
+      if (entry != nullptr && is_eaten_at(noun_of_object(*object))) tables.push_back(one);
+      if (entry != nullptr && entry->is(Trait::kTableSeat)) seats.push_back(one);
+    }
+    if (tables.size() != 1 || tables.size() + seats.size() != middle.targets.size()) continue;
+    middle.targets = tables;
+    Link link;
+    link.first = noun_of_object(*object_of(seats.front())).first;
+    link.last = noun_of_object(*object_of(seats.front())).last;
+    link.concluded = true;
+    for (const std::string& seat : seats) std::erase(of_target_[seat], r);
+    return add(link, R::kAround, seats, tables);
+  }
 }
 
 // "an oval table, ten swivel chairs": at the only table that has no seats, where nobody says where they are.

@@ -58,6 +58,12 @@ bool Decoder::is_pair(const State& state, int member, int u) const {
   }
   if (former == 0 && read_as(state, former).former < 0) return true;
   const int next = u + (follows(u, UnitKind::kNoun) ? 2 : 1);
+  // "stove and sink on the left side, fridge and pantry on the right side."
+  const NounPhrase &noun = noun_of(state, member), &before = noun_of(state, former);
+  const bool bare = noun.determiner == Determiner::kNone && before.determiner == Determiner::kNone;
+  const bool after_place = is(former - 1, UnitKind::kPlace) || (is(former - 1, UnitKind::kNoun) && is(former - 2, UnitKind::kPlace));
+  if (bare && after_place && unit(former).joiner == Joiner::kComma && !is(next, UnitKind::kNoun) && !is(next, UnitKind::kPlace))
+    return true;
   return unit(former).joiner == Joiner::kComma && is(next, UnitKind::kNoun) &&
          (unit(next).joiner == Joiner::kComma || unit(next).joiner == Joiner::kCommaAnd);
 }

@@ -138,12 +138,16 @@ bool UnitReader::is_side_of_room(std::size_t k) const {
 std::string UnitReader::run_side_of_room(std::size_t k) const {
   const std::string side = side_said(document_.tokens, chunk(k).last);
   if (side.empty()) return {};
-  const bool large = is_large_by_itself(previous(k));
   std::size_t thing = previous(k);
+  if (is(thing, ChunkKind::kNoun) && is(previous(thing), ChunkKind::kPurpose)) thing = previous(previous(thing));  // "a table for six on …"
+  const std::size_t last = thing;
+  const bool large = is_large_by_itself(last);
   while (!large && is(thing, ChunkKind::kNoun) && (is(previous(thing), ChunkKind::kAnd) || is(previous(thing), ChunkKind::kHave)))
     thing = previous(previous(thing));
   const bool unit = is(thing, ChunkKind::kNoun) && chunk(thing).noun.entry != nullptr && chunk(thing).noun.entry->is(Trait::kKitchenRun);
-  if (!unit && !large) return {};
+  // "kitchen on the left, sofa and TV on the right", "…, a dining table for six on the right"
+  const bool great = !large && (is_large_by_itself(thing) || is_great_table(last));
+  if (!unit && !large && !great) return {};
   // "a wall of filing cabinets on the left"
   if (large && chunk(thing).noun.is_plural()) return side;
   // "Bunk bed on the left, …": of nothing that was named before
@@ -160,10 +164,12 @@ std::string UnitReader::run_side_of_room(std::size_t k) const {
     const bool wall =
         is(c, ChunkKind::kNoun) && chunk(c).noun.kind == NounKind::kWall && one_of(chunk(c).noun.wall_word, {"left", "right"});
     at_wall |= is(c, ChunkKind::kNoun) && chunk(c).noun.kind == NounKind::kWall && one_of(chunk(c).noun.wall_word, {"back", "front"});
-    if (wall && chunk(c).noun.wall_word != side && large) return side;
+    if (wall && chunk(c).noun.wall_word != side && (large || great)) return side;
     if (c == k || !is(c, ChunkKind::kRelation)) continue;
     const std::string other = side_said(document_.tokens, chunk(c).last);
-    if (!other.empty() && other != side && (unit || is_large_by_itself(previous(c)) || at_wall)) return side;
+    if (other.empty() || other == side) continue;
+    const bool part = is(previous(c), ChunkKind::kNoun) && chunk(previous(c)).noun.kind == NounKind::kRoom;
+    if (unit || part || is_large_by_itself(previous(c)) || (at_wall && !great)) return side;
   }
   // "a workbench at the back wall, shelving on the left side": where such lists go along the walls
   const bool listed = is(previous(thing), ChunkKind::kComma) || is(previous(thing), ChunkKind::kAnd);
@@ -178,6 +184,14 @@ bool UnitReader::is_large_by_itself(std::size_t thing) const {
   constexpr Mm kLarge = 700;  // wider than a nightstand
   const bool wide = entry != nullptr && entry->size.usual.width * std::max(chunk(thing).noun.count, 1) >= kLarge;
   return wide && entry->mount == Mount::kFloor && entry->back_to_wall;
+}
+
+// A table that a group sits at, of its own place in the room.
+bool UnitReader::is_great_table(std::size_t thing) const {
+  constexpr Mm kGreat = 1500;
+  if (!is(thing, ChunkKind::kNoun) || is(previous(thing), ChunkKind::kHave)) return false;
+  const CatalogEntry* entry = chunk(thing).noun.entry;
+  return entry != nullptr && entry->is(Trait::kTable) && entry->mount == Mount::kFloor && entry->size.usual.width >= kGreat;
 }
 
 // "a sideboard with a coffee machine": the sideboard, of the machine.
