@@ -75,6 +75,14 @@ TEST(NormalizeSupport, CushionsAndBootsStandOnNoTops) {
   EXPECT_THAT(supports_of(bed, "a"), ElementsAre("bed_1"));
 }
 
+TEST(NormalizeSupport, BlanketsAreFoldedOverSeatsThatAreNarrower) {
+  const SceneGraph scene = with_whole_catalogue(scene_of({object("chair_1", "armchair"), object("a", "blanket")}));
+  EXPECT_THAT(supports_of(scene, "a"), ElementsAre("chair_1"));
+  EXPECT_LT(scene.objects[1].size->greatest.width, scene.objects[0].size->usual.width);
+  const SceneGraph bed = with_whole_catalogue(scene_of({object("bed_1", "bed"), object("a", "blanket")}));
+  EXPECT_GT(bed.objects[1].size->usual.width, 1000);
+}
+
 TEST(NormalizeSupport, CoatsHangOnTheHooksThatAreThere) {
   const SceneGraph scene = with_whole_catalogue(scene_of({object("bench_1", "bench"), object("freezer_1", "freezer"),
                                                           object("hooks_1", "hook_rail"), object("a", "garment"), object("b", "garment")}));

@@ -9,6 +9,9 @@ namespace layoutbox::offline {
 // Gives things that are first spoken of as "each" their number, and makes the later mention one of the same things.
 void settle_forward_counts(Document& document);
 
+// "8 beds as bunks": four bunk beds.
+void settle_bunks(const Lexicon& lexicon, Document& document);
+
 // "for two girls: bed, desk and wardrobe for each": as many as there are people.
 void settle_for_each(const Lexicon& lexicon, Document& document);
 

@@ -159,7 +159,9 @@ bool RelationBuilder::settle_on_floor(SceneObject& object, const NounPhrase& nou
   const auto says = [&](std::string_view word) { return std::ranges::find(noun.attributes, word) != noun.attributes.end(); };
   const bool floor = noun.name.starts_with("floor ") || says("floor-standing") || says("freestanding") || says("free-standing");
   const bool cushion = noun.exact && noun.entry->id == "pillow" && std::ranges::any_of(relations_of(object.id), [&](std::size_t r) {
-                         return traits_of(scene_.relations[r].type).around;
+                         const Relation& relation = scene_.relations[r];
+                         const bool below = relation.type == R::kUnder || relation.type == R::kTuckedUnder;  // in a den
+                         return traits_of(relation.type).around || (below && relation.targets.front() == object.id);
                        });
   if (mount_of(noun) != Mount::kSurface || (!floor && !cushion)) return false;
   const auto is_on = [&](const Relation& r) { return r.type == R::kOn && std::ranges::find(r.targets, object.id) != r.targets.end(); };
