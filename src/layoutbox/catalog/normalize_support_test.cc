@@ -83,6 +83,16 @@ TEST(NormalizeSupport, BlanketsAreFoldedOverSeatsThatAreNarrower) {
   EXPECT_GT(bed.objects[1].size->usual.width, 1000);
 }
 
+TEST(NormalizeSupport, AMediumOneIsSmallerThanABigOneAndLargerThanALittleOne) {
+  const auto sized = [](const char* word) {
+    SceneObject bed = object("bed_1", "bed");
+    bed.attributes = {word};
+    return with_whole_catalogue(scene_of({bed})).objects[0].size.value();
+  };
+  EXPECT_LT(sized("little").usual.width, sized("medium").least.width);
+  EXPECT_LT(sized("medium").usual.width, sized("big").least.width);
+}
+
 TEST(NormalizeSupport, CoatsHangOnTheHooksThatAreThere) {
   const SceneGraph scene = with_whole_catalogue(scene_of({object("bench_1", "bench"), object("freezer_1", "freezer"),
                                                           object("hooks_1", "hook_rail"), object("a", "garment"), object("b", "garment")}));

@@ -120,7 +120,8 @@ void settle_filling_counts(const Lexicon& lexicon, Document& document) {
     const int many = many_of(noun);
     if (!is_bare(chunks[k])) continue;
     const bool over = is_all(document, chunks[k].last, "over"), along = is_all(document, chunks[k].last, "along");
-    const bool strewn = k > 0 && has_word(lexicon, document, chunks[k - 1], "filling");
+    const bool everywhere = chunks[k].last < document.tokens.size() && document.tokens[chunks[k].last].text == "everywhere";
+    const bool strewn = everywhere || (k > 0 && has_word(lexicon, document, chunks[k - 1], "filling"));
     const bool full = k > 0 && has_word(lexicon, document, chunks[k - 1], "full") && is_wide_enough(chunks, k);
     if (!over && !along && !strewn && !full && !noun.assorted) continue;
     const bool ceiling = over && k + 2 < chunks.size() && chunks[k + 2].noun.kind == NounKind::kCeiling;
@@ -132,6 +133,9 @@ void settle_filling_counts(const Lexicon& lexicon, Document& document) {
       chunks[k + 2].noun.vague = chunks[k + 2].noun.at_least = chunks[k + 2].noun.filling = true;
     }
     noun.vague = noun.at_least = noun.filling = true;
+    noun.everywhere = everywhere;
+    const CatalogEntry* stack = everywhere && noun.exact ? lexicon.catalog().find(noun.entry->id + "_stack") : nullptr;
+    if (stack != nullptr) noun.entry = stack, noun.category = stack->id;  // "books everywhere" lie in piles
   }
 }
 

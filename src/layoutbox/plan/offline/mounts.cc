@@ -191,6 +191,12 @@ void RelationBuilder::settle_mount(std::size_t index) {
   SceneObject& object = scene_.objects[index];
   const NounPhrase& noun = document_.items[index].noun;
   if (settle_on_floor(object, noun)) return;
+  const auto like = std::count_if(document_.items.begin(), document_.items.begin() + static_cast<std::ptrdiff_t>(index),
+                                  [&](const TextItem& item) { return item.noun.first == noun.first; });
+  if (noun.everywhere && like % 2 == 1 && mount_of(noun) == Mount::kSurface && !how_held(object, noun).supported) {
+    object.mount = Mount::kFloor;
+    return;
+  }
   if (settle_tall(object, noun)) return;
   const Held held = how_held(object, noun);
   // "a bench with a lamp above it": a lamp for tables stands on nothing there.
