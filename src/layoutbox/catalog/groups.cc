@@ -44,7 +44,7 @@ Groups read_groups() {
   for (const Json& value : data.at("companions")) {
     groups.companions.push_back({value.at("of").get<std::string>(), value.at("adds").get<std::string>(), value.value("each", 1),
                                  value.value("anywhere", false), strings(value, "unless"), strings(value, "rooms"),
-                                 mm_from_m(value.value("bothSidesFrom", 0.0))});
+                                 mm_from_m(value.value("bothSidesFrom", 0.0)), value.value("upTo", 0)});
   }
   for (const Json& value : data.at("zones")) {
     ZoneUse zone{strings(value, "said"), strings(value, "rooms"), {}, strings(value, "unless"), {}};

@@ -32,6 +32,7 @@ struct Companion {
   std::vector<std::string> unless;  // not where one of these kinds is there
   std::vector<std::string> rooms;   // in these kinds of room only; empty: in all
   Mm both_sides_from = 0;           // by what is that wide twice as many; 0: by none
+  int up_to = 0;                    // not where more of them stand than so many; 0: however many
 };
 
 // Over what a thing usually hangs, or under what it lies; best first.

@@ -207,6 +207,20 @@ void find_room(NormalizeContext& context, RelationType type, SceneObject& host, 
 
 }  // namespace
 
+void fold_over_seat(const Catalog& catalog, const SceneObject& seat, SceneObject& thing) {
+  constexpr double kOfWidth = 0.6, kOfDepth = 0.5;
+  const CatalogEntry& entry = catalog.entry_or_nearest(seat.category);
+  const bool one_sits = !entry.is(Trait::kBed) && (entry.is(Trait::kSeat) || entry.is(Trait::kEasySeat));
+  const bool cloth = catalog.entry_or_nearest(thing.category).shape.family == "blanket";
+  const bool assumed = cloth && thing.size_source == SizeSource::kCatalog && thing.catalog_id.empty() && thing.mount == Mount::kSurface;
+  if (!one_sits || !assumed || !seat.size || thing.size->usual.width <= seat.size->usual.width) return;
+  const auto cap = [](SizeRange& range, Mm Size::*side, double most) {
+    for (Size* size : {&range.least, &range.usual, &range.greatest}) size->*side = std::min(size->*side, static_cast<Mm>(most));
+  };
+  cap(*thing.size, &Size::width, kOfWidth * seat.size->usual.width);
+  cap(*thing.size, &Size::depth, kOfDepth * seat.size->usual.depth);
+}
+
 void normalize_guests(NormalizeContext& context) {
   SceneGraph& scene = context.scene;
   for (const Relation& relation : scene.relations) {

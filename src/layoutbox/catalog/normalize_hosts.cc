@@ -189,10 +189,22 @@ void narrow_screens(SceneGraph& scene, const Contents& contents, Mm width) {
   }
 }
 
+void fold_over_seats(const Catalog& catalog, SceneGraph& scene) {
+  for (const Relation& relation : scene.relations) {
+    if (relation.type != RelationType::kOn || relation.references.size() != 1) continue;
+    const SceneObject* seat = scene.find_object(relation.references.front());
+    if (seat == nullptr) continue;
+    for (SceneObject& thing : scene.objects) {
+      if (names(relation.targets, thing.id) && thing.size) fold_over_seat(catalog, *seat, thing);
+    }
+  }
+}
+
 }  // namespace
 
 void normalize_hosts(NormalizeContext& context) {
   SceneGraph& scene = context.scene;
+  fold_over_seats(context.catalog, scene);
   ById by_id;
   for (const SceneObject& object : scene.objects) by_id.emplace(object.id, &object);
   std::map<std::string, Contents> hosts;

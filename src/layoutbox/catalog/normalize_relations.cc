@@ -114,13 +114,20 @@ class SupportChooser {
         continue;
       const double area = double(candidate.size->usual.width) * candidate.size->usual.depth;
       const double load = (loaded_area(candidate) + footprint(object_)) / area;
-      if (load > 1 && object_.mount != Mount::kHung) continue;  // a rail is thin, and carries many coats
+      if (load > 1 && !folds_on(candidate) && object_.mount != Mount::kHung) continue;  // a rail is thin, and carries many coats
       if (best == nullptr || load < best_load) {
         best = &candidate;
         best_load = load;
       }
     }
     return best;
+  }
+
+  // A blanket that is wider than the armchair lies on it folded.
+  bool folds_on(const SceneObject& candidate) const {
+    SceneObject thing = object_;
+    fold_over_seat(context_.catalog, candidate, thing);
+    return thing.size->usual.width < object_.size->usual.width && loaded_area(candidate) == 0;
   }
 
   static double footprint(const SceneObject& object) { return double(object.size->usual.width) * object.size->usual.depth; }
@@ -224,6 +231,7 @@ void support_object(NormalizeContext& context, SceneObject& object, const std::s
   relation.references = {support->id};
   relation.why = fmt::format("a {} stands on something", object.name);
   relation.origin = Origin::kAssumed;
+  fold_over_seat(context.catalog, *support, object);
   context.note("guessed", fmt::format("what \"{}\" stands on is not said: \"{}\" is taken", object.id, support->id), pointer);
   context.scene.relations.push_back(std::move(relation));
 }

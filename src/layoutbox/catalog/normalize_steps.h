@@ -29,6 +29,9 @@ void normalize_objects(NormalizeContext& context);
 // Larger usual sizes, within their ranges, for furniture that must hold more than usual. REQUIRES: sizes are known.
 void normalize_hosts(NormalizeContext& context);
 
+// What is wider than the seat that it lies on, and of an assumed size, is folded: a blanket over an armchair.
+void fold_over_seat(const Catalog& catalog, const SceneObject& seat, SceneObject& thing);
+
 // What is to be in or under something finds room there: furniture that is solid gets legs or an inside, guests of an assumed size are
 // smaller. REQUIRES: sizes are known.
 void normalize_guests(NormalizeContext& context);

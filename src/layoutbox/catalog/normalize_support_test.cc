@@ -75,6 +75,24 @@ TEST(NormalizeSupport, CushionsAndBootsStandOnNoTops) {
   EXPECT_THAT(supports_of(bed, "a"), ElementsAre("bed_1"));
 }
 
+TEST(NormalizeSupport, BlanketsAreFoldedOverSeatsThatAreNarrower) {
+  const SceneGraph scene = with_whole_catalogue(scene_of({object("chair_1", "armchair"), object("a", "blanket")}));
+  EXPECT_THAT(supports_of(scene, "a"), ElementsAre("chair_1"));
+  EXPECT_LT(scene.objects[1].size->greatest.width, scene.objects[0].size->usual.width);
+  const SceneGraph bed = with_whole_catalogue(scene_of({object("bed_1", "bed"), object("a", "blanket")}));
+  EXPECT_GT(bed.objects[1].size->usual.width, 1000);
+}
+
+TEST(NormalizeSupport, AMediumOneIsSmallerThanABigOneAndLargerThanALittleOne) {
+  const auto sized = [](const char* word) {
+    SceneObject bed = object("bed_1", "bed");
+    bed.attributes = {word};
+    return with_whole_catalogue(scene_of({bed})).objects[0].size.value();
+  };
+  EXPECT_LT(sized("little").usual.width, sized("medium").least.width);
+  EXPECT_LT(sized("medium").usual.width, sized("big").least.width);
+}
+
 TEST(NormalizeSupport, CoatsHangOnTheHooksThatAreThere) {
   const SceneGraph scene = with_whole_catalogue(scene_of({object("bench_1", "bench"), object("freezer_1", "freezer"),
                                                           object("hooks_1", "hook_rail"), object("a", "garment"), object("b", "garment")}));

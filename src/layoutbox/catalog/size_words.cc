@@ -53,6 +53,14 @@ SizeRange size_by_words(const CatalogEntry& entry, const std::vector<std::string
     if (std::ranges::any_of(variant.words, [&](const std::string& word) { return says(said, word); })) return variant.size;
   }
   SizeRange range = entry.size;
+  // Neither as small nor as large as such things can be: the medium one of three.
+  if (says(said, "medium") || says(said, "medium-sized") || says(said, "mid-sized")) {
+    for (const auto side : kSizeSides) {
+      range.least.*side = (range.least.*side + range.usual.*side) / 2 / kGridMm * kGridMm;
+      range.greatest.*side = (range.greatest.*side + range.usual.*side) / 2 / kGridMm * kGridMm;
+    }
+    return range;
+  }
   for (const SizeWord& rule : kSizeWords) {
     if (!says(said, rule.word)) continue;
     const bool applies[] = {rule.width, rule.depth, rule.height};

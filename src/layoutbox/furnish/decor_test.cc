@@ -153,6 +153,7 @@ TEST(Decor, ShelvesHoldWhatTheTextSays) {
   const auto said = [](const std::string& prompt) { return decor_of(room("bedroom", prompt), 1).shelves_said; };
   EXPECT_EQ(said("a shelf for my sneakers and a bookcase").at("shelf"), "shoes");
   EXPECT_EQ(said("shelves stacked with glass jars").at("shelf"), "jars");
+  EXPECT_EQ(said("a shelf for his trophies above the desk").at("shelf"), "trophies");
   EXPECT_TRUE(said("a shelf above the toy box").empty());
 }
 

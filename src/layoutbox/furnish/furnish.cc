@@ -116,6 +116,8 @@ Result<Node> object_node(const PlacedObject& object, const Catalog& catalog, con
   const double before = palette.wear_from_now(std::max(decor.wear, wear_of(object)));
   kit::Piece piece(body, entry, std::move(spaces), material, palette, decor, options.seed, options.contents);
   if (layout != nullptr && entry.is(Trait::kCurtain)) piece.twin = side_of_twin(object, *layout);
+  piece.bears =
+      layout != nullptr && std::ranges::any_of(layout->objects, [&](const PlacedObject& o) { return o.supported_by == object.id; });
   kit::family_or_generic(entry.shape.family)(piece);
   if (raised > 0) piece.raise(raised);
   palette.wear_from_now(before);

@@ -36,6 +36,7 @@ class Piece {
   const std::vector<FreeSpace> spaces;
   // The side where another of its kind hangs right beside it: -1 left, 1 right, 0 none.
   int twin = 0;
+  bool bears = false;  // another object stands on it
 
   // Parameters: of the catalogue, else `otherwise`.
   double number(std::string_view key, double otherwise) const;

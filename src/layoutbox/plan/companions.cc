@@ -203,6 +203,7 @@ class Companions {
     for (const SceneObject& object : scene_.objects) {
       if (takes(object)) hosts.push_back(object.id);
     }
+    if (companion.up_to > 0 && hosts.size() > static_cast<std::size_t>(companion.up_to)) return;
     for (const std::string& host : hosts) {
       const SceneObject* sized = sized_.find_object(host);
       const bool for_two =

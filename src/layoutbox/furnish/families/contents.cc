@@ -123,6 +123,30 @@ void jars(Piece& p, const Box& room) {
   }
 }
 
+// Cups on feet, a tall one between low ones, and a figure on a plinth here and there.
+void trophies(Piece& p, const Box& room) {
+  const int gold = p.named("brass"), silver = p.named("steel"), dark = p.tinted("plastic", {0.14, 0.10, 0.08});
+  const Vec size = room.size();
+  const double r = std::min(0.05, size.y * 0.36), most = std::min(size.z * 0.94, 0.34);
+  const int n = std::clamp(static_cast<int>(size.x / 0.15), 1, 8);
+  for (int i = 0; i < n; ++i) {
+    const double tall = most * (i % 2 == 0 ? 0.98 : 0.74), foot = tall * 0.2;
+    const Vec at{room.min.x + size.x * (i + 0.5) / n, (room.min.y + room.max.y) / 2, room.min.z};
+    p.add(dark, box(sides(at.x - r * 0.7, at.x + r * 0.7, at.y - r * 0.7, at.y + r * 0.7, at.z, at.z + foot), 0.004));
+    p.add(i % 3 == 1 ? silver : gold,
+          lathe({{0, 0},
+                 {r * 0.5, 0},
+                 {r * 0.16, tall * 0.14},
+                 {r * 0.16, tall * 0.26},
+                 {r * 0.7, tall * 0.42},
+                 {r, tall * 0.8},
+                 {r * 0.9, tall * 0.8},
+                 {0, tall * 0.5}},
+                14),
+          moved(at.x, at.y, at.z + foot - 0.002));
+  }
+}
+
 constexpr Color kPlayThings[] = {{0.84, 0.30, 0.26}, {0.26, 0.50, 0.76}, {0.95, 0.76, 0.28}, {0.36, 0.64, 0.40}, {0.90, 0.55, 0.24}};
 
 // One toy, so wide at most, its middle at the place: a ball, a bear, a tower of blocks, a car, a bin of something.
@@ -418,6 +442,7 @@ ShelfContents contents_named(std::string_view name) {
                                                                   {"flowers", flowers},
                                                                   {"seedlings", seedlings},
                                                                   {"bedding", folded_bedding},
+                                                                  {"trophies", trophies},
                                                                   {"none", nullptr}};
   const auto found = kinds.find(name);
   return found == kinds.end() ? books : found->second;

@@ -123,6 +123,13 @@ void wall_shelf(Piece& p) {
     return;
   }
   const double t = std::min(0.03, p.h);
+  // What the text says that it is for stands on a board as low as leaves room for it.
+  const ShelfContents contents =
+      p.bears || !p.may_show_contents() || p.said_contents().empty() ? nullptr : contents_named(p.said_contents());
+  if (contents != nullptr && p.h > 4 * t) {
+    p.add(wood, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, t), 0.004));
+    return contents(p, sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, t, p.h));
+  }
   p.add(wood, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, p.h - t, p.h), 0.004));
   if (p.h - t < 0.01) return;
   for (const double s : {-0.36, 0.36}) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "layoutbox/catalog/trait_table.h"
+
 namespace layoutbox::offline {
 
 namespace {
@@ -118,7 +120,8 @@ void settle_filling_counts(const Lexicon& lexicon, Document& document) {
     const int many = many_of(noun);
     if (!is_bare(chunks[k])) continue;
     const bool over = is_all(document, chunks[k].last, "over"), along = is_all(document, chunks[k].last, "along");
-    const bool strewn = k > 0 && has_word(lexicon, document, chunks[k - 1], "filling");
+    const bool everywhere = chunks[k].last < document.tokens.size() && document.tokens[chunks[k].last].text == "everywhere";
+    const bool strewn = everywhere || (k > 0 && has_word(lexicon, document, chunks[k - 1], "filling"));
     const bool full = k > 0 && has_word(lexicon, document, chunks[k - 1], "full") && is_wide_enough(chunks, k);
     if (!over && !along && !strewn && !full && !noun.assorted) continue;
     const bool ceiling = over && k + 2 < chunks.size() && chunks[k + 2].noun.kind == NounKind::kCeiling;
@@ -130,6 +133,9 @@ void settle_filling_counts(const Lexicon& lexicon, Document& document) {
       chunks[k + 2].noun.vague = chunks[k + 2].noun.at_least = chunks[k + 2].noun.filling = true;
     }
     noun.vague = noun.at_least = noun.filling = true;
+    noun.everywhere = everywhere;
+    const CatalogEntry* stack = everywhere && noun.exact ? lexicon.catalog().find(noun.entry->id + "_stack") : nullptr;
+    if (stack != nullptr) noun.entry = stack, noun.category = stack->id;  // "books everywhere" lie in piles
   }
 }
 
@@ -174,6 +180,16 @@ int people_before(const Lexicon& lexicon, const std::vector<Chunk>& chunks, std:
   return 0;
 }
 
+// How many sleep in the beds that are named.
+int sleepers(const std::vector<Chunk>& chunks) {
+  int sleep = 0;
+  for (const Chunk& chunk : chunks) {
+    if (!is_thing(chunk) || chunk.noun.entry == nullptr || !chunk.noun.entry->is(Trait::kBed)) continue;
+    sleep += std::max(chunk.noun.count, chunk.noun.plural ? 2 : 1) * (chunk.noun.entry->id == "bunk_bed" ? 2 : 1);
+  }
+  return sleep;
+}
+
 // "for two girls: bed, desk and wardrobe for each": as many of everything that is listed.
 void share_out_list(std::vector<Chunk>& chunks, std::size_t k, int people) {
   while (k-- > 0) {
@@ -191,13 +207,36 @@ void share_out_list(std::vector<Chunk>& chunks, std::size_t k, int people) {
 
 }  // namespace
 
+void settle_bunks(const Lexicon& lexicon, Document& document) {
+  const auto says = [&](std::size_t i, std::initializer_list<std::string_view> words) {
+    return i < document.tokens.size() && std::ranges::find(words, document.tokens[i].text) != words.end();
+  };
+  const CatalogEntry* bunk = lexicon.catalog().find("bunk_bed");
+  for (Chunk& chunk : document.chunks) {
+    NounPhrase& beds = chunk.noun;
+    const bool several = is_thing(chunk) && beds.head == "bed" && beds.count > 1 && beds.count % 2 == 0;
+    if (!several || bunk == nullptr || !says(chunk.last, {"as", "in"}) || !says(chunk.last + 1, {"bunk", "bunks"})) continue;
+    beds.entry = bunk;
+    beds.exact = true;
+    beds.category = bunk->id;
+    beds.name = bunk->name;
+    beds.count /= 2;
+    const std::size_t end = chunk.last + (says(chunk.last + 2, {"bed", "beds"}) ? 3 : 2);
+    for (Chunk& other : document.chunks) {
+      if (other.first >= chunk.last && other.last <= end) other.kind = ChunkKind::kIgnored;
+    }
+  }
+}
+
 void settle_for_each(const Lexicon& lexicon, Document& document) {
   std::vector<Chunk>& chunks = document.chunks;
   for (std::size_t k = 1; k + 1 < chunks.size() && !is_set(document.stop); ++k) {
+    const NounPhrase& whom = chunks[k + 1].noun;
+    const bool person = whom.kind == NounKind::kMember || (lexicon.is_person(whom.head) && is_thing(chunks[k - 1]));
     const bool for_each = chunks[k].kind == ChunkKind::kPurpose && document.tokens[chunks[k].first].text == "for" &&
-                          chunks[k + 1].kind == ChunkKind::kNoun && chunks[k + 1].noun.kind == NounKind::kMember &&
-                          chunks[k + 1].noun.determiner == Determiner::kEach && !chunks[k + 1].noun.of;
-    const int people = for_each ? people_before(lexicon, chunks, k) : 0;
+                          chunks[k + 1].kind == ChunkKind::kNoun && person && whom.determiner == Determiner::kEach && !whom.of;
+    int people = for_each ? people_before(lexicon, chunks, k) : 0;
+    if (for_each && people < 2 && whom.kind != NounKind::kMember) people = sleepers(chunks);
     if (people < 2) continue;
     share_out_list(chunks, k, people);
     chunks[k].kind = chunks[k + 1].kind = ChunkKind::kIgnored;

@@ -12,6 +12,9 @@ void settle_forward_counts(Document& document);
 // "desks for two in four rows of three": so many make the rows.
 void settle_grid_counts(Document& document);
 
+// "8 beds as bunks": four bunk beds.
+void settle_bunks(const Lexicon& lexicon, Document& document);
+
 // "for two girls: bed, desk and wardrobe for each": as many as there are people.
 void settle_for_each(const Lexicon& lexicon, Document& document);
 

@@ -159,7 +159,9 @@ bool RelationBuilder::settle_on_floor(SceneObject& object, const NounPhrase& nou
   const auto says = [&](std::string_view word) { return std::ranges::find(noun.attributes, word) != noun.attributes.end(); };
   const bool floor = noun.name.starts_with("floor ") || says("floor-standing") || says("freestanding") || says("free-standing");
   const bool cushion = noun.exact && noun.entry->id == "pillow" && std::ranges::any_of(relations_of(object.id), [&](std::size_t r) {
-                         return traits_of(scene_.relations[r].type).around;
+                         const Relation& relation = scene_.relations[r];
+                         const bool below = relation.type == R::kUnder || relation.type == R::kTuckedUnder;  // in a den
+                         return traits_of(relation.type).around || (below && relation.targets.front() == object.id);
                        });
   if (mount_of(noun) != Mount::kSurface || (!floor && !cushion)) return false;
   const auto is_on = [&](const Relation& r) { return r.type == R::kOn && std::ranges::find(r.targets, object.id) != r.targets.end(); };
@@ -189,6 +191,12 @@ void RelationBuilder::settle_mount(std::size_t index) {
   SceneObject& object = scene_.objects[index];
   const NounPhrase& noun = document_.items[index].noun;
   if (settle_on_floor(object, noun)) return;
+  const auto like = std::count_if(document_.items.begin(), document_.items.begin() + static_cast<std::ptrdiff_t>(index),
+                                  [&](const TextItem& item) { return item.noun.first == noun.first; });
+  if (noun.everywhere && like % 2 == 1 && mount_of(noun) == Mount::kSurface && !how_held(object, noun).supported) {
+    object.mount = Mount::kFloor;
+    return;
+  }
   if (settle_tall(object, noun)) return;
   const Held held = how_held(object, noun);
   // "a bench with a lamp above it": a lamp for tables stands on nothing there.

@@ -63,6 +63,7 @@ struct NounPhrase {
   int apart = 0;           // "between the groups": one of each group, which has so many
   bool at_least = false, vague = false, plural = false;
   bool filling = false;       // "a shelf full of cans": as many as look like it, two of them for certain
+  bool everywhere = false;    // "books everywhere": on tops, and on the floor as well
   bool assorted = false;      // "plants of all sizes"
   bool heaped = false;        // "a stack of menus": several that lie as one thing
   bool subset = false;        // "two of the beds"

@@ -99,6 +99,7 @@ class OfflinePlanner final : public Planner {
     settle_absent(lexicon_, document);
     settle_clusters(lexicon_, document);
     settle_inserts(document);
+    settle_bunks(lexicon_, document);
     settle_for_each(lexicon_, document);
     settle_purposes(lexicon_, document);
     settle_room_senses(lexicon_, document, room_size_at);

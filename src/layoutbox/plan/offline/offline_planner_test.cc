@@ -239,6 +239,8 @@ TEST_F(OfflinePlannerTest, ReadsFloorAndWalls) {
   EXPECT_EQ(scene("A den with a sofa. Teal and white.").room.wall_material, "teal");
   EXPECT_EQ(scene("A kitchen in cream and walnut with a stove.").room.floor_material, "walnut floor");
   EXPECT_EQ(scene("A bed and a wardrobe.").room.type, "bedroom");
+  EXPECT_EQ(scene("I'm 9 and I want a loft bed and a wardrobe.").room.type, "kids_room");
+  EXPECT_EQ(scene("I'm 49 and I want a bed and a wardrobe.").room.type, "bedroom");
   const SceneGraph read = scene("An office with white walls and a wooden floor has a desk.");
   EXPECT_EQ(read.room.wall_material, "white");
   EXPECT_EQ(read.room.floor_material, "wooden floor");

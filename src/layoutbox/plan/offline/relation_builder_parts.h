@@ -164,6 +164,7 @@ class RelationBuilder {
   void add_habit(RelationType type, std::vector<std::string> targets, std::vector<std::string> references, int weight, std::string why);
   void lay_beds_along();
   void share_nightstand();
+  void head_row_of_beds();
   void turn_two_sided_tables();
   void seat_around_faced_tables();
   void turn_screens_to_viewers();

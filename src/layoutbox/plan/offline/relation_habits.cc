@@ -190,6 +190,27 @@ void RelationBuilder::share_nightstand() {
   scene_.relations[own.front()].references = beds;
 }
 
+// "three beds in a row": their heads at one wall.
+void RelationBuilder::head_row_of_beds() {
+  const std::size_t said = scene_.relations.size();
+  for (std::size_t r = 0; r < said; ++r) {
+    const Relation row = scene_.relations[r];
+    const auto is_bed = [&](const std::string& id) {
+      const SceneObject* object = object_of(id);
+      return object != nullptr && catalog_.entry_or_nearest(object->category).is(Trait::kBed);
+    };
+    if (row.type != R::kRow || row.targets.size() < 2 || !std::ranges::all_of(row.targets, is_bed)) continue;
+    const auto placed = [&](const Relation& other) {
+      return traits_of(other.type).turns && !other.references.empty() && std::ranges::any_of(other.targets, [&](const std::string& id) {
+               return std::ranges::find(row.targets, id) != row.targets.end();
+             });
+    };
+    if (std::ranges::any_of(scene_.relations, placed)) continue;
+    add_habit(R::kAgainstWall, row.targets, {}, kTogether, "beds in a row have their heads at the wall");
+    add_habit(R::kSameOrientation, row.targets, {}, kTogether, "beds in a row have their heads at the wall");
+  }
+}
+
 // "two rows of four desks back to back": an island of two rows, which is how such desks stand anyhow.
 void RelationBuilder::make_islands() {
   const auto backs = [](const Relation& r) { return r.why.find("back to back") != std::string::npos; };
@@ -216,6 +237,7 @@ void RelationBuilder::add_habits() {
   face_as_crowd();
   lay_beds_along();
   share_nightstand();
+  head_row_of_beds();
   turn_two_sided_tables();
   turn_screens_to_viewers();
   seat_around_faced_tables();

@@ -231,6 +231,23 @@ bool only_says_what_for(const Lexicon& lexicon, const Document& document) {
          });
 }
 
+// "I'm 9", "aged 7", "she is ten years old": whose room it is.
+bool tells_age_of_child(const Document& document) {
+  constexpr double kGrown = 18;
+  const std::vector<Token>& tokens = document.tokens;
+  const auto says = [&](std::size_t i, std::initializer_list<std::string_view> words) {
+    return i < tokens.size() && std::ranges::find(words, tokens[i].text) != words.end();
+  };
+  for (std::size_t i = 1; i < tokens.size(); ++i) {
+    if (tokens[i].kind != Token::Kind::kNumber || tokens[i].number >= kGrown) continue;
+    const bool years = says(i + 1, {"year", "years"}) && says(i + 2, {"old"});
+    const bool am = i > 1 && says(i - 2, {"i"}) && says(i - 1, {"am", "'m"}) &&
+                    (tokens[i].ends_sentence || says(i + 1, {"and", ",", "years", "now", "."}));
+    if (years || am || says(i - 1, {"aged"})) return true;
+  }
+  return false;
+}
+
 // What a room of no named kind is, by what stands in it; empty where that says nothing.
 std::string kind_by_contents(const Lexicon& lexicon, const Document& document, const SceneGraph& scene) {
   const Catalog& catalog = lexicon.catalog();
@@ -240,7 +257,8 @@ std::string kind_by_contents(const Lexicon& lexicon, const Document& document, c
     });
   };
   const auto cooks = count({"stove", "oven", "cooktop", "kitchen_sink"}), sits = count({"sofa"});
-  const bool young = std::ranges::any_of(document.tokens, [&](const Token& token) { return lexicon.is_young(singular_of(token.text)); });
+  const bool young = tells_age_of_child(document) ||
+                     std::ranges::any_of(document.tokens, [&](const Token& token) { return lexicon.is_young(singular_of(token.text)); });
   if (count({"crib", "changing_table"}) > 1) return "nursery";
   if (count({"bed"}) > 0) {
     if (count({"hospital_bed"}) > 0) return "hospital_room";
