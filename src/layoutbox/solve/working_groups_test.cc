@@ -52,6 +52,18 @@ TEST(WorkingGroups, WhoRunsOrRidesSeesTheScreen) {
   }
 }
 
+// Neither a case behind the desk nor the window there moves one of them to the front.
+TEST(WorkingGroups, ScreensOfOneDeskStandInALine) {
+  const Layout layout = solved_as_asked(SceneMaker(3000, 3000)
+                                            .add("corner_desk")
+                                            .add("monitor", 3)
+                                            .add("gaming_chair")
+                                            .add("bookshelf")
+                                            .relate(RelationType::kCorner, {"corner_desk_1"}, {})
+                                            .make(true));
+  for (const char* screen : {"monitor_2", "monitor_3"}) EXPECT_NEAR(seen_from(layout, "monitor_1", screen).y, 0, 30) << screen;
+}
+
 TEST(WorkingGroups, WhoReceivesSitsBehindTheDesk) {
   const Layout layout =
       solved_as_asked(SceneMaker(5500, 4500).add("reception_desk").add("office_chair").add("waiting_chairs", 2).make(true));

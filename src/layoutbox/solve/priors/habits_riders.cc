@@ -122,9 +122,9 @@ Habits::Spot Habits::spot_of_screen(int item, int host) const {
     before += static_cast<int>(i) < item;
     ++screens;
   }
-  const Mm width = model_.items[item].states[0].size.width, has = model_.items[host].states[0].size.width, pitch = width + kApart;
+  const Mm width = model_.items[item].states[0].size.width, has = model_.items[host].states[0].size.width;
   if (riders == 1 && has < 3 * width) return {0, 0};
-  if (screens * pitch > has + kApart) return {};
+  const std::int64_t pitch = std::min<std::int64_t>(width + kApart, has / screens);
   return {(2 * before - (screens - 1)) * pitch, {}};
 }
 
