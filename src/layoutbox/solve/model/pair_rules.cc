@@ -101,7 +101,7 @@ bool asked_at_window(const PlacementModel& model, int item, const Item& window) 
   });
 }
 
-// What stands on a sill may be before the window, and so may what stands on a desk, or on something that is asked to be there.
+// What stands on a sill may be before the window, and so may what stands on a desk that is asked to be there.
 void let_before_windows(PlacementModel& model) {
   for (std::size_t i = 0; i < model.items.size(); ++i) {
     for (const SupportOption& support : model.items[i].supports) {
@@ -110,8 +110,7 @@ void let_before_windows(PlacementModel& model) {
       if (support.kind != SupportOption::Kind::kItem) continue;
       for (std::size_t w = 0; w < model.items.size(); ++w) {
         const Item& window = model.items[w];
-        const bool may = model.items[support.index].is(Trait::kDeskLike) || asked_at_window(model, support.index, window);
-        if (window.is_opening() && window.opening->type == OpeningType::kWindow && may)
+        if (window.is_opening() && window.opening->type == OpeningType::kWindow && asked_at_window(model, support.index, window))
           model.set_pair(item, static_cast<int>(w), PairRule::kFree);
       }
     }
