@@ -52,6 +52,19 @@ TEST(WorkingGroups, WhoRunsOrRidesSeesTheScreen) {
   }
 }
 
+// A case behind the desk, or a window, moves neither of them to the front alone.
+TEST(WorkingGroups, ScreensOfOneDeskStandInALine) {
+  const Layout layout = solved_as_asked(SceneMaker(3600, 3200)
+                                            .add("desk")
+                                            .sized(1700, 800, 750)
+                                            .add("monitor", 2)
+                                            .add("office_chair")
+                                            .add("bookshelf")
+                                            .relate("behind", {"bookshelf_1"}, {"desk_1"})
+                                            .make(true));
+  EXPECT_NEAR(seen_from(layout, "monitor_1", "monitor_2").y, 0, 30);
+}
+
 TEST(WorkingGroups, WhoReceivesSitsBehindTheDesk) {
   const Layout layout =
       solved_as_asked(SceneMaker(5500, 4500).add("reception_desk").add("office_chair").add("waiting_chairs", 2).make(true));

@@ -34,6 +34,25 @@ bool is_class(const Lexicon& lexicon, const Document& document) {
   });
 }
 
+// "in two groups": how many of them there are, and the tokens that say it; 0: nothing of the kind.
+std::pair<int, std::size_t> clusters_at(const Lexicon& lexicon, const Document& document, std::size_t at) {
+  if (says_one_of(document, at, {"arranged", "grouped", "placed", "set"})) ++at;
+  if (!says_one_of(document, at, {"in", "into"})) return {};
+  const NumberRead count = read_number(lexicon, document.tokens, at + 1);
+  const std::size_t end = at + 2 + count.length;
+  if (count.length == 0 || count.value < 2 || !says_one_of(document, end - 1, WordSet::kClusters) || says_one_of(document, end, {"of"}))
+    return {};
+  return {static_cast<int>(count.value), end};
+}
+
+// "a cluster of four desks".
+bool is_one_cluster(const Document& document, const Chunk& chunk) {
+  for (std::size_t i = chunk.first; i + 1 < chunk.last; ++i) {
+    if (says_one_of(document, i, {"cluster", "group"}) && says_one_of(document, i + 1, {"of"})) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void settle_clusters(const Lexicon& lexicon, Document& document) {
@@ -53,6 +72,13 @@ void settle_clusters(const Lexicon& lexicon, Document& document) {
       continue;
     }
     if (noun.kind != NounKind::kObject || !noun.is_plural()) continue;
+    if (noun.clusters == 0 && is_one_cluster(document, chunk)) noun.clusters = 1;
+    if (const auto [clusters, last] = clusters_at(lexicon, document, chunk.last); clusters > 0) {
+      noun.clusters = clusters;
+      grouped = &noun;
+      take_chunks(document, chunk.last, last, "together");
+      continue;
+    }
     const auto [together, end] = together_at(lexicon, document, chunk.last);
     if (together == 0) continue;
     // "tables in groups of four", of which nobody says how many: tables at which so many sit, as a class does at desks put together.

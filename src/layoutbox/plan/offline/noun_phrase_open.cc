@@ -143,7 +143,7 @@ bool NounPhraseReader::take_size() {
   return true;
 }
 
-// "two clusters of four desks": eight desks.
+// "two clusters of four desks": eight desks; "two clusters of desks": however many.
 bool NounPhraseReader::read_clusters() {
   if (!counted_ || phrase_.count < 2 || !more() || token().kind != Token::Kind::kWord || !at_word("of", 1) || i_ + 3 >= tokens_.size() ||
       !one_of(token().text, WordSet::kClusters))
@@ -152,7 +152,8 @@ bool NounPhraseReader::read_clusters() {
   const int clusters = phrase_.count;
   i_ += 2;
   phrase_.count = 0;
-  if (!read_count() || phrase_.count == 0) {
+  const bool of_desks = more() && lexicon_.find(tokens_, i_).plural && has(lexicon_.find(tokens_, i_), Class::kObject);
+  if ((!read_count() || phrase_.count == 0) && !of_desks) {
     i_ = at;
     phrase_.count = clusters;
     return false;

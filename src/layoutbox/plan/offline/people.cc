@@ -276,14 +276,19 @@ class PeopleReader {
     return seats >= 0;
   }
 
-  // "computer tables with PCs" for twelve: as many PCs.
-  void grow_contents(int host) {
+  // "computer tables with PCs" for twelve: as many PCs; "desks, each with a chair" where `before` were all of them: as many chairs.
+  void grow_contents(int host, const std::vector<int>& before) {
+    for (Mention& each : document_.mentions) {
+      if (before.size() > 1 && each.items == before) each.items = mention(host).items;
+    }
     for (const Link& link : document_.links) {
-      if (link.kind != Link::Kind::kHave || !contains(link.references, host)) continue;
+      const auto is_host = [&](int reference) { return mention(reference).items == mention(host).items; };
+      if (link.kind != Link::Kind::kHave || std::ranges::none_of(link.references, is_host)) continue;
       for (const int m : link.targets) {
         const NounPhrase& noun = mention(m).noun;
         const bool carried = noun.kind == NounKind::kObject && mount_of(noun) == Mount::kSurface;
-        if (carried && noun.plural && noun.count == 0) grow(m, static_cast<int>(mention(host).items.size()));
+        const bool each = !noun.plural && before.size() > 1 && mention(m).items.size() == before.size();
+        if (each || (carried && noun.plural && noun.count == 0)) grow(m, static_cast<int>(mention(host).items.size()));
       }
     }
   }
@@ -309,8 +314,9 @@ class PeopleReader {
     const bool rows = host >= 0 && mention(host).noun.rows > 0 && mention(host).noun.vague;
     if (host >= 0 && persons == 1 && mention(host).noun.plural && (mention(host).noun.count == 0 || rows)) {
       const int at_each = std::max({mention(host).noun.seats, seats_said(mention(host)), 1});  // "tables in groups of four", "double desks"
+      const std::vector<int> before = mention(host).items;
       grow(host, (people + at_each - 1) / at_each);
-      grow_contents(host);
+      grow_contents(host, before);
       constexpr int kMostInRow = 12;
       if (rows && people > kMostInRow * mention(host).noun.rows) mention(host).noun.rows = 0;  // as many rows as there is room for
       if (mention(host).noun.entry->id == "seat") become(host, *main);

@@ -75,6 +75,9 @@ class RelationBuilder {
                      const NounPhrase& neighbour);
   std::vector<int> by_tables(const std::vector<int>& targets) const;
   void add_each_other(const Link& link, const std::vector<int>& said);
+  bool are_desks(const std::vector<int>& items) const;
+  void add_island(const Link& link, const std::vector<int>& members);
+  void add_island_of_backs(const Link& link, const std::vector<int>& members);
   std::string carrier_of(const std::vector<std::string>& objects) const;
   std::vector<std::vector<std::string>> between_pairs(const Link& link, const std::vector<std::string>& all) const;
   std::vector<int> parted_by(const Link& link) const;

@@ -35,6 +35,32 @@ std::vector<int> RelationBuilder::by_tables(const std::vector<int>& targets) con
   return ordered;
 }
 
+// An even number of desks of one kind.
+bool RelationBuilder::are_desks(const std::vector<int>& items) const {
+  const CatalogEntry* desk = noun_of_item(items.front()).entry;
+  return items.size() % 2 == 0 && desk != nullptr && desk->is(Trait::kDeskLike) &&
+         std::ranges::all_of(items, [&](int item) { return noun_of_item(item).entry == desk; });
+}
+
+// Two rows close together, the first half of them in one and the rest in the other.
+void RelationBuilder::add_island(const Link& link, const std::vector<int>& members) {
+  Link form = link;
+  form.rows = 2;
+  add(form, R::kGrid, ids(members), {});
+  scene_.relations.back().parameters.gap = 0;
+}
+
+// What has a back stands back to back in its island.
+void RelationBuilder::add_island_of_backs(const Link& link, const std::vector<int>& members) {
+  add_island(link, members);
+  const CatalogEntry* entry = noun_of_item(members.front()).entry;
+  for (std::size_t i = 0; entry != nullptr && entry->has_front && i < members.size() / 2; ++i) {
+    const std::string &front = id(members[i]), &back = id(members[i + members.size() / 2]);
+    add(link, R::kBehind, {front}, {back});
+    add(link, R::kBehind, {back}, {front});
+  }
+}
+
 void RelationBuilder::add_each_other(const Link& link, const std::vector<int>& said) {
   if (said.size() < 2 || link.senses.empty()) return;
   const std::vector<int> targets = by_tables(said);
@@ -47,6 +73,15 @@ void RelationBuilder::add_each_other(const Link& link, const std::vector<int>& s
   if (sense->type == R::kFacing && targets.size() > 2 && !in_pairs) {
     for (std::size_t t = 0; t < targets.size(); ++t)
       add(link, sense->type, {id(targets[t])}, {id(targets[(t + targets.size() / 2) % targets.size()])}, *sense);
+    if (other.rows == 0 && are_desks(targets)) add_island(link, targets);
+    return;
+  }
+  const bool back_to_back =
+      sense->type == R::kNextTo && other.entry != nullptr && words_between(document_, link.first, link.last) == "back to back";
+  if (back_to_back && targets.size() > 2 && !in_pairs && other.rows == 0 && are_desks(targets)) {
+    // "two blocks of three desks, back to back" are the rows of one; of four each has its own two.
+    const std::size_t share = other.clusters > 0 ? targets.size() / static_cast<std::size_t>(other.clusters) : targets.size();
+    if (share < 4 || share % 2 != 0 || other.clusters == 0) add_island_of_backs(link, targets);
     return;
   }
   // "three tables side by side" stand in a row.
@@ -62,8 +97,7 @@ void RelationBuilder::add_each_other(const Link& link, const std::vector<int>& s
       continue;
     }
     // "two workbenches back to back": each has the other behind it.
-    const bool backs = sense->type == R::kNextTo && other.entry != nullptr && other.entry->has_front && mount_of(other) == Mount::kFloor &&
-                       words_between(document_, link.first, link.last) == "back to back";
+    const bool backs = back_to_back && other.entry->has_front && mount_of(other) == Mount::kFloor;
     if (backs) {
       add(link, R::kBehind, {one}, {next});
       add(link, R::kBehind, {next}, {one});
@@ -73,9 +107,8 @@ void RelationBuilder::add_each_other(const Link& link, const std::vector<int>& s
     if (sense->type == R::kFacing) add(link, sense->type, {next}, {one}, *sense);
     stand_in_line(link, next, one, other, noun_of_item(targets[t]));
     // Desks at which two look at each other stand back to back.
-    const bool desks = sense->type == R::kFacing && targets.size() == 2 && other.entry != nullptr && other.entry->is(Trait::kDeskLike) &&
-                       noun_of_item(targets.back()).entry == other.entry;
-    if (desks) add_habit(R::kNextTo, {one}, {next}, 100, "desks at which two look at each other stand back to back");
+    if (sense->type == R::kFacing && targets.size() == 2 && are_desks(targets))
+      add_habit(R::kNextTo, {one}, {next}, 100, "desks at which two look at each other stand back to back");
   }
 }
 

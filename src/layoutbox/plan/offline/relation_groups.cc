@@ -321,7 +321,7 @@ void RelationBuilder::add_clusters() {
     const auto clusters = together > 1 ? mention.items.size() / together : static_cast<std::size_t>(std::max(mention.noun.clusters, 0));
     if (!mention.introduces || clusters == 0 || mount_of(mention.noun) != Mount::kFloor || mention.items.size() % clusters != 0) continue;
     const std::size_t share = mention.items.size() / clusters;
-    if (share < 2 || look_at_one_thing(mention)) continue;
+    if (share < 2 || look_at_one_thing(mention) || (clusters == 1 && (share < 4 || !are_desks(mention.items)))) continue;
     // "armchairs in groups of four around coffee tables": the tables make the groups.
     const bool around = std::ranges::any_of(scene_.relations, [&](const Relation& r) {
       return traits_of(r.type).around && std::ranges::find(r.targets, id(mention.items.front())) != r.targets.end();
@@ -330,19 +330,16 @@ void RelationBuilder::add_clusters() {
     Link link;
     link.first = mention.noun.first;
     link.last = mention.noun.last;
-    link.rows = share % 2 == 0 ? 2 : 1;
     for (std::size_t c = 0; c < clusters; ++c) {
       const std::vector<int> own(mention.items.begin() + static_cast<std::ptrdiff_t>(c * share),
                                  mention.items.begin() + static_cast<std::ptrdiff_t>((c + 1) * share));
-      add(link, share > 3 && share % 2 == 0 ? R::kGrid : R::kRow, ids(own), {});
-      scene_.relations.back().parameters.gap = 0;
-      // What has a back stands back to back.
-      for (std::size_t i = 0;
-           share > 3 && share % 2 == 0 && mention.noun.entry != nullptr && mention.noun.entry->has_front && i < share / 2; ++i) {
-        const std::string &front = id(own[i]), &back = id(own[i + share / 2]);
-        add(link, R::kBehind, {front}, {back});
-        add(link, R::kBehind, {back}, {front});
+      if (share > 3 && share % 2 == 0) {
+        add_island_of_backs(link, own);
+        continue;
       }
+      link.rows = share % 2 == 0 ? 2 : 1;
+      add(link, R::kRow, ids(own), {});
+      scene_.relations.back().parameters.gap = 0;
     }
   }
 }

@@ -9,13 +9,15 @@ namespace layoutbox::offline {
 
 using R = RelationType;
 
-// The one that the others stand by: what children sit round on the floor, else the greatest that is no chair; -1: none.
+// The one that the others stand by: what children sit round on the floor, else the greatest that is no chair, easy seats before the low
+// table between them; -1: none.
 int RelationBuilder::heart_of(const Zone& zone) const {
   int greatest = -1, rug = -1;
   bool looks = false;
   const auto area = [&](int item) {
-    const Size& size = noun_of_item(item).entry->size.usual;
-    return double(size.width) * size.depth;
+    const CatalogEntry* entry = noun_of_item(item).entry;
+    const Size& size = entry->size.usual;
+    return entry->is(Trait::kCoffeeTable) ? 0 : double(size.width) * size.depth;
   };
   for (const int item : zone.items) {
     const CatalogEntry* entry = noun_of_item(item).entry;

@@ -74,7 +74,8 @@ void note_floor_use(Item& item) {
 }
 
 bool blocks_floor(const Item& item, const GridBox& box) {
-  return !item.is_opening() && !item.thin && (box.lo[2] + box.hi[2]) / 2 <= kBodyReach;
+  const bool carried = item.mount == Mount::kSurface && box.lo[2] > kStandsOnFloor;  // what carries it is in the way already
+  return !carried && !item.is_opening() && !item.thin && (box.lo[2] + box.hi[2]) / 2 <= kBodyReach;
 }
 
 bool surely_blocks(const PlacementModel& model, int body, int owner) {

@@ -9,7 +9,7 @@ namespace {
 constexpr Mm kFromBack = 40;    // from the back of a desk to what stands there
 constexpr Mm kFromEdge = 60;    // from the used edge of a desk to the keyboard
 constexpr Mm kBesideKeys = 40;  // from the keyboard to the mouse
-constexpr int kAtHand = 80, kSpot = 40;
+constexpr int kAtHand = 80, kSpot = 40, kScreensInLine = 150;
 
 }  // namespace
 
@@ -21,6 +21,7 @@ void Habits::sit_on_host(int item) {
     if (support.kind != SupportOption::Kind::kItem) continue;
     const Item& host = model_.items[support.index];
     const std::optional<Spot> spot = screen ? spot_of_screen(item, support.index) : spot_on(item, support.index);
+    const int first = screen ? first_screen_like(item, support.index) : -1;
     const int user = self.is(Trait::kMonitor) ? seat_told_to_be_at(support.index, rank_of(item)) : -1;
     if (user >= 0) look_at_user(item, user);
     Formula f;
@@ -37,11 +38,14 @@ void Habits::sit_on_host(int item) {
       if (spot) c.wish(off(right, spot->right2), screen ? 80 : kSpot, 2);
       if (spot && spot->back2) {
         c.wish(off(back, *spot->back2), kSpot, 2);
+      } else if (host.has_front && first >= 0 && first != item) {
+        c.wish(reach(item, back) - reach(first, back), kScreensInLine);
       } else if (host.has_front) {
-        c.wish(reach(item, back) - reach(support.index, back) + Linear(kFromBack), screen ? 60 : 25);
+        c.wish(reach(item, back) - reach(support.index, back) + Linear(kFromBack), screen ? 100 : 25);
       }
     });
-    if (!lie_at_hand(item, support.index)) habit("sits", item, kSits, std::move(f));
+    const bool in_line = first >= 0 && first != item;
+    if (!lie_at_hand(item, support.index)) habit("sits", item, kSits, std::move(f), in_line ? std::vector<int>{first} : std::vector<int>{});
     return;
   }
 }
@@ -122,10 +126,18 @@ Habits::Spot Habits::spot_of_screen(int item, int host) const {
     before += static_cast<int>(i) < item;
     ++screens;
   }
-  const Mm width = model_.items[item].states[0].size.width, has = model_.items[host].states[0].size.width, pitch = width + kApart;
+  const Mm width = model_.items[item].states[0].size.width, has = model_.items[host].states[0].size.width;
   if (riders == 1 && has < 3 * width) return {0, 0};
-  if (screens * pitch > has + kApart) return {};
+  const std::int64_t pitch = std::min<std::int64_t>(width + kApart, has / screens);
   return {(2 * before - (screens - 1)) * pitch, {}};
+}
+
+// The first of its kind on that host; it may be the thing itself.
+int Habits::first_screen_like(int item, int host) const {
+  for (int i = 0; i < item; ++i) {
+    if (model_.items[i].entry == model_.items[item].entry && rests_on(i, host)) return i;
+  }
+  return item;
 }
 
 bool Habits::rests_on(int item, int host) const {
