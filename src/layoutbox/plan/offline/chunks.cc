@@ -58,7 +58,7 @@ bool Chunker::is_all_around() const { return tokens_[i_].text == "all" && i_ + 1
 void Chunker::read() {
   if (read_hung_at() || read_distance() || read_lettered_size() || read_bare_length() || read_size_chunk() || read_rows() ||
       read_infinitive() || read_wishing() || read_finding() || read_doing() || read_built_place() || read_having_by() || read_manner() ||
-      read_trailing_bound())
+      read_trailing_bound() || read_stuff())
     return;
   if (is_about_number()) {
     add(ChunkKind::kIgnored, 1);

@@ -57,6 +57,7 @@ class Chunker {
   bool read_whose();
   bool says_enough() const;
   bool read_infinitive();
+  bool read_stuff();
   // What somebody does (chunk_deeds).
   bool follows_doer() const;
   bool is_about_number() const;

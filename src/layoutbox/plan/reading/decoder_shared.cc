@@ -84,6 +84,12 @@ double Decoder::share_kind_score(const State& state, int member, int u, Referent
     const bool seats = is_seat(lexicon_.catalog(), noun) && is_seat(lexicon_.catalog(), before);
     if ((lies && carried(noun) && carried(before)) || ((around || lies) && seats)) return weight::kShareKind;
   }
+  // "shoes, shirts and cans on the floor": small things that lie about
+  const bool floor = by.kind == NounKind::kFloor || (host.kind == NounKind::kObject && host.entry != nullptr && host.entry->thin);
+  const auto lies_about = [&](const NounPhrase& n) {
+    return mount_of(n) == Mount::kSurface || mount_of(n) == Mount::kHung || stands_small(n);
+  };
+  if (listed && lies && floor && lies_about(noun) && lies_about(before)) return weight::kShareKind;
   // "a cabinet with a fridge and a coffee machine on top": all that it has.
   const bool content = read_as(state, member).role == NounRole::kContent;
   if (content && lists_on_it(u - 1) && !is_seat(lexicon_.catalog(), before)) return weight::kShareVerb;
