@@ -6,6 +6,7 @@
 #include "layoutbox/base/units.h"
 #include "layoutbox/furnish/families/parts.h"
 #include "layoutbox/furnish/openings.h"
+#include "layoutbox/furnish/roof_shell.h"
 
 namespace layoutbox {
 namespace {
@@ -119,7 +120,8 @@ void add_wall(const Layout& layout, const Decor& decor, std::size_t index, Palet
   const Wall& wall = walls[index];
   const WallFrame frame(wall), before(walls[(index + walls.size() - 1) % walls.size()]), after(walls[(index + 1) % walls.size()]);
   const bool house = !decor.parapet || std::ranges::any_of(layout.room.openings, [&](const Opening& o) { return o.wall == wall.id; });
-  const double height = house ? m_from_mm(layout.room.height) : std::min(kParapet, m_from_mm(layout.room.height));
+  const RoofEdge roof = roof_over(layout, frame, m_from_mm(layout.room.height));
+  const double height = house ? roof.height : std::min(kParapet, roof.height);
   std::vector<kit::Hole> holes;
   std::vector<std::pair<double, double>> skirting{{0, frame.length}};
   for (const Opening& opening : layout.room.openings) {
@@ -144,6 +146,7 @@ void add_wall(const Layout& layout, const Decor& decor, std::size_t index, Palet
   const double at_start = mitre({-frame.along.x, frame.along.y}, frame.thickness, {-before.along.x, before.along.y}, before.thickness);
   const Surface surface = wall_surface(layout, decor, asked);
   Mesh body = kit::pierced_slab(frame.length, -kSlab, height, -frame.thickness, 0, holes, at_start, at_end);
+  if (!roof.lines.empty()) body = cut_under(std::move(body), roof.lines, frame.thickness);
   if (surface.texture == "planks") {  // boards stand upright
     for (Vec2f& uv : body.uvs) std::swap(uv[0], uv[1]);
   }
@@ -164,9 +167,10 @@ void add_ceiling(const Layout& layout, Palette& palette, Model& model) {
   Node node;
   node.id = "ceiling";
   node.kind = NodeKind::kCeiling;
-  node.parts.push_back({kit::prism(outline_of(layout.room), height, height + kSlab),
-                        palette.add(surface_for(layout, layout.room.ceiling_material, "plaster", false))});
+  const int surface = palette.add(surface_for(layout, layout.room.ceiling_material, "plaster", false));
+  node.parts.push_back({kit::prism(outline_of(layout.room), height, height + kSlab), surface});
   model.nodes.push_back(std::move(node));
+  add_roof_panels(layout, surface, model);
 }
 
 }  // namespace

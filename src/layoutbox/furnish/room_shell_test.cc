@@ -48,6 +48,31 @@ Model shell(const Layout& layout) {
   return model ? *model : Model{};
 }
 
+TEST(RoomShell, WallsEndWhereTheRoofComesDown) {
+  Layout layout = rectangle();
+  PlacedObject slope;  // along the back wall: from a knee of 1.4 m to the ceiling
+  slope.id = slope.category = slope.name = "sloped_ceiling";
+  slope.mount = Mount::kCeiling;
+  slope.size = {4000, 1400, 1600};
+  slope.position = {2000, 2500, 1400};
+  layout.objects.push_back(slope);
+  const Model model = shell(layout);
+  const auto tallest = [&](const char* id, auto is_there) {
+    float z = 0;
+    for (const Part& part : node_of(model, id)->parts) {
+      for (const Vec3f& corner : part.mesh.positions) z = is_there(corner) ? std::max(z, corner[2]) : z;
+    }
+    return z;
+  };
+  const auto anywhere = [](const Vec3f&) { return true; };
+  EXPECT_NEAR(tallest("wall1", anywhere), 3.0F, 0.02F);
+  EXPECT_NEAR(tallest("wall3", anywhere), 1.4F, 0.03F);
+  EXPECT_NEAR(tallest("wall2", anywhere), 3.0F, 0.02F);
+  EXPECT_LT(tallest("wall2", [](const Vec3f& corner) { return corner[0] > 3.19F; }), 1.5F);
+  ASSERT_NE(node_of(model, "roof1"), nullptr);
+  EXPECT_EQ(node_of(model, "roof1")->kind, NodeKind::kCeiling);
+}
+
 TEST(RoomShell, HasFloorWallsCeilingWithTheirKinds) {
   const Model model = shell(rectangle());
   ASSERT_NE(node_of(model, "floor"), nullptr);

@@ -45,6 +45,16 @@ TEST(Habits, ARugShowsAtTheFootOfTheBed) {
   EXPECT_LT(rug.y - object(layout, "rug_1").size.depth / 2, -bed.size.depth / 2 - 300);
 }
 
+TEST(Habits, ARugNextToTheBedShows) {
+  const Layout layout =
+      solved_as_asked(SceneMaker(3350, 3660).add("double_bed").add("rug").relate("nextTo", {"rug_1"}, {"double_bed_1"}).make(true));
+  const PlacedObject& bed = object(layout, "double_bed_1");
+  const PlacedObject& lying = object(layout, "rug_1");
+  const Point rug = seen_from(bed, lying);
+  const bool aside = std::abs(rug.x) >= bed.size.width / 2.0 + 300, beyond = std::abs(rug.y) >= bed.size.depth / 2.0 + 300;
+  EXPECT_TRUE(aside || beyond);
+}
+
 TEST(Habits, ScreensOnADeskStandSideBySide) {
   const Layout layout = solved_as_asked(SceneMaker(4000, 3600)
                                             .add("desk")

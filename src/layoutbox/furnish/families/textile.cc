@@ -178,7 +178,7 @@ void rug(Piece& p) {
   const std::string kind = p.word("kind", "");
   const bool long_haired = is_long_haired(p);
   if (kind == "puzzle") return puzzle_mat(p);
-  const bool round = p.says("round") || p.says("circular") || p.word("top", "rect") == "round";
+  const bool round = p.says("round") || p.says("circular") || p.says("circle") || p.word("top", "rect") == "round";
   const bool oval = p.says("oval") || p.word("top", "rect") == "oval";
   if (kind == "pattern" && !round && !oval) return persian_rug(p);
   if ((kind == "hide" || long_haired) && !round && !oval) return fur_rug(p);

@@ -38,6 +38,7 @@ void Habits::add(int index) {
   }
   if (item.thin) {
     lie_lengthwise(index);
+    lie_beside(index);
     if (!stand_in_formation(index) && !placed_by_relation(index)) lie_under(index);
     return;
   }

@@ -101,6 +101,7 @@ class Habits {
   void lie_under(int item);
   void lie_at_foot(int item, int bed);
   void lie_lengthwise(int item);
+  void lie_beside(int item);
   void lie_before(int item, int sofa);
   void lie_before_use(int item, int host);
   void open_well(int item);

@@ -54,6 +54,24 @@ void Habits::lie_lengthwise(int item) {
   habit("lengthwise", item, kRug, std::move(f));
 }
 
+// "A rug next to the bed" shows: it lies at a side, not under it.
+void Habits::lie_beside(int item) {
+  for (const Relation& r : model_.scene->relations) {
+    const bool of_item = std::ranges::find(r.targets, model_.items[item].id) != r.targets.end();
+    const int host = of_item && r.type == RelationType::kNextTo && r.references.size() == 1 ? model_.find_item(r.references.front()) : -1;
+    if (host < 0 || model_.items[host].thin || model_.items[host].mount != Mount::kFloor) continue;
+    Formula f;
+    for (int axis = 0; axis < 2; ++axis) {
+      for (const int sign : {1, -1}) {
+        Case& c = f.add();
+        c.wish(gap_towards(item, host, {axis, sign}), kRug);
+        c.wish(mid2(item, 1 - axis) - mid2(host, 1 - axis), kRug, 2);
+      }
+    }
+    habit("rug", item, kRug, std::move(f), {host});
+  }
+}
+
 void Habits::lie_at_foot(int item, int bed) {
   // Most of it shows.
   const Mm beyond = std::max(kRugBeyondFoot, model_.items[item].states[0].size.depth * 3 / 5);
