@@ -311,6 +311,7 @@ def check_groups(folder: Path, ids: dict[str, dict]) -> Iterator[str]:
     groups = json.loads(path.read_text(encoding="utf-8"))
     rows = groups.get("hangs", []) + groups.get("lies", [])
     named = [kind for row in rows for kind in [row["is"], *row["over"]]] + groups.get("by_door", [])
+    named += [kind for row in groups.get("contents", []) for kinds in [*row["has"], row.get("without", [])] for kind in kinds]
     yield from (f"groups.json: there is no entry '{kind}'" for kind in named if kind not in ids)
     yield from (f"groups.json: mount '{row['mount']}'" for row in rows if row.get("mount", "wall") not in MOUNTS)
 

@@ -53,6 +53,10 @@ Groups read_groups() {
       zone.means.emplace_back(row.at(0).get<std::string>(), row.at(1).get<std::string>());
     groups.zones.push_back(std::move(zone));
   }
+  for (const Json& value : data.at("contents")) {
+    groups.contents.push_back({value.at("room").get<std::string>(), value.at("has").get<std::vector<std::vector<std::string>>>(),
+                               value.value("atLeast", 1), strings(value, "without"), value.value("young", false)});
+  }
   groups.by_door = strings(data, "by_door");
   groups.hangs = usual_places(data.at("hangs"));
   groups.lies = usual_places(data.at("lies"));

@@ -60,12 +60,22 @@ struct ZoneUse {
   std::vector<std::pair<std::string, std::string>> means;  // what a plain kind is there: a table for children
 };
 
+// What stands in a room says what kind of room it is: something of each of these lists.
+struct RoomByContents {
+  std::string room;                           // a kind
+  std::vector<std::vector<std::string>> has;  // kinds of furniture
+  int at_least = 1;                           // so many of each list
+  std::vector<std::string> without;           // and none of these
+  bool young = false;                         // only for children
+};
+
 struct Groups {
-  std::vector<Seating> seatings;       // special kinds first
-  std::vector<Companion> companions;   // in this order
-  std::vector<ZoneUse> zones;          // special ones first
-  std::vector<std::string> by_door;    // kinds that stand near a door
-  std::vector<UsuallyAt> hangs, lies;  // special kinds first
+  std::vector<Seating> seatings;         // special kinds first
+  std::vector<Companion> companions;     // in this order
+  std::vector<ZoneUse> zones;            // special ones first
+  std::vector<RoomByContents> contents;  // the first that fits
+  std::vector<std::string> by_door;      // kinds that stand near a door
+  std::vector<UsuallyAt> hangs, lies;    // special kinds first
   Filling fill;
   std::vector<std::string> carried;             // kinds that get something to stand on where nothing there carries them
   std::vector<std::string> sat_at;              // words by which a table is one to sit at

@@ -6,6 +6,7 @@
 
 #include "layoutbox/catalog/normalize_steps.h"
 #include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox {
 namespace {
@@ -227,7 +228,7 @@ void normalize_guests(NormalizeContext& context) {
   for (const Relation& relation : scene.relations) {
     const RelationType type = relation.type;
     const bool under = type == RelationType::kUnder || type == RelationType::kTuckedUnder;
-    if (type != RelationType::kIn && type != RelationType::kOn && !under) continue;
+    if (!traits_of(type).rests && !under) continue;
     if (!relation.hard || relation.references.size() != 1) continue;
     const auto host = std::ranges::find(scene.objects, relation.references.front(), &SceneObject::id);
     if (host == scene.objects.end() || !host->size) continue;

@@ -149,8 +149,7 @@ class Companions {
     const auto is_such = [&](const std::string& kind) { return catalog_.is_a(thing.category, kind); };
     if (std::ranges::none_of(groups_.carried, is_such)) return;  // dolls, baskets and bowls may well lie on the floor
     const auto sides = [&](const Relation& r) {
-      return (r.type == RelationType::kEachSideOf || r.type == RelationType::kLeftOf || r.type == RelationType::kRightOf) &&
-             targets(r, thing.id);
+      return (r.type == RelationType::kEachSideOf || traits_of(r.type).sideways) && targets(r, thing.id);
     };
     const auto supports = [&](const Relation& r) { return r.type == RelationType::kOn && targets(r, thing.id); };
     if (std::ranges::any_of(scene_.relations, supports)) return;  // said: on the floor

@@ -41,13 +41,14 @@ constexpr std::array kTraits = std::to_array<RelationTraits>({
     {.type = R::kOnCeiling, .targets_turned = true, .references_turned = true},
     {.type = R::kAwayFromWall, .targets_turned = true, .references_turned = true, .unnamed = "the walls"},
     {.type = R::kUnderWindow, .back_to_wall = true, .unnamed = "a window"},
-    {.type = R::kNearDoor, .targets_turned = true, .references_turned = true, .unnamed = "a door"},
-    {.type = R::kNearWindow, .targets_turned = true, .references_turned = true, .unnamed = "a window"},
-    {.type = R::kFarFromDoor, .targets_turned = true, .references_turned = true, .unnamed = "the doors"},
-    {.type = R::kFarFromWindow, .targets_turned = true, .references_turned = true, .unnamed = "the windows"},
+    {.type = R::kNearDoor, .targets_turned = true, .references_turned = true, .close_by = true, .unnamed = "a door"},
+    {.type = R::kNearWindow, .targets_turned = true, .references_turned = true, .close_by = true, .unnamed = "a window"},
+    {.type = R::kFarFromDoor, .targets_turned = true, .references_turned = true, .keeps_off = true, .unnamed = "the doors"},
+    {.type = R::kFarFromWindow, .targets_turned = true, .references_turned = true, .keeps_off = true, .unnamed = "the windows"},
     {.type = R::kNotBlocking, .targets_turned = true, .unnamed = "the doors and windows"},
     {.type = R::kLeftOf,
      .targets_turned = true,
+     .sideways = true,
      .beside = true,
      .of_any_two = true,
      .placing = Placing::kSide,
@@ -55,6 +56,7 @@ constexpr std::array kTraits = std::to_array<RelationTraits>({
      .instead = R::kRightOf},
     {.type = R::kRightOf,
      .targets_turned = true,
+     .sideways = true,
      .beside = true,
      .of_any_two = true,
      .placing = Placing::kSide,
@@ -79,6 +81,7 @@ constexpr std::array kTraits = std::to_array<RelationTraits>({
      .symmetric = true,
      .targets_turned = true,
      .references_turned = true,
+     .close_by = true,
      .beside = true,
      .of_any_two = true,
      .said_by =
@@ -88,30 +91,34 @@ constexpr std::array kTraits = std::to_array<RelationTraits>({
      .symmetric = true,
      .targets_turned = true,
      .references_turned = true,
+     .close_by = true,
      .said_by = RelationSet(R::kNextTo, R::kLeftOf, R::kRightOf, R::kInFrontOf, R::kAlongSide, R::kTouching, R::kEachSideOf)},
     {.type = R::kFar,
      .symmetric = true,
      .targets_turned = true,
      .references_turned = true,
+     .keeps_off = true,
      .of_any_two = true,
      .excludes = RelationSet(R::kNextTo, R::kNear),
      .instead = R::kNear},
-    {.type = R::kDistance, .symmetric = true, .targets_turned = true, .references_turned = true},
+    {.type = R::kDistance, .symmetric = true, .targets_turned = true, .references_turned = true, .keeps_off = true},
     {.type = R::kTouching, .symmetric = true, .weaker = RelationSet(R::kNextTo), .instead = R::kNextTo},
     {.type = R::kEdgeAlign, .targets_turned = true},
     {.type = R::kFacing,
      .targets_turned = true,
      .references_turned = true,
      .turns = true,
+     .looks = true,
      .said_by = RelationSet(R::kOpposite, R::kInFrontOf)},
     {.type = R::kOpposite,
      .symmetric = true,
      .targets_turned = true,
+     .keeps_off = true,
      .excludes = RelationSet(R::kNextTo),
      .said_by = RelationSet(R::kFacing)},
     {.type = R::kParallel, .symmetric = true, .targets_turned = true, .references_turned = true, .turns = true},
     {.type = R::kPerpendicular, .symmetric = true, .targets_turned = true, .references_turned = true, .turns = true},
-    {.type = R::kSameOrientation, .symmetric = true, .targets_turned = true, .references_turned = true, .turns = true},
+    {.type = R::kSameOrientation, .symmetric = true, .targets_turned = true, .references_turned = true, .turns = true, .looks = true},
     {.type = R::kCenteredOn, .targets_turned = true},
     {.type = R::kAtFootOf, .targets_turned = true, .weaker = RelationSet(R::kInFrontOf, R::kNextTo), .instead = R::kNextTo},
     {.type = R::kAtHeadOf, .excludes = RelationSet(R::kAtFootOf), .weaker = RelationSet(R::kNextTo), .instead = R::kNextTo},
@@ -119,6 +126,7 @@ constexpr std::array kTraits = std::to_array<RelationTraits>({
     {.type = R::kTuckedUnder, .brings = true},
     {.type = R::kOn,
      .supports = true,
+     .rests = true,
      .targets_turned = true,
      .references_turned = true,
      .placing = Placing::kHeight,
@@ -130,7 +138,7 @@ constexpr std::array kTraits = std::to_array<RelationTraits>({
      .placing = Placing::kHeight,
      .excludes = RelationSet(R::kNextTo),
      .said_by = RelationSet(R::kOnCeiling)},
-    {.type = R::kIn, .supports = true, .targets_turned = true, .references_turned = true, .said_by = RelationSet(R::kOn)},
+    {.type = R::kIn, .supports = true, .rests = true, .targets_turned = true, .references_turned = true, .said_by = RelationSet(R::kOn)},
     {.type = R::kStacked,
      .supports = true,
      .targets_turned = true,
@@ -183,6 +191,14 @@ static_assert(kTraits.size() == std::size_t{0}
 }  // namespace
 
 const RelationTraits& traits_of(RelationType type) { return kTraits[static_cast<std::size_t>(type)]; }
+
+RelationSet relations_that(bool RelationTraits::*so) {
+  RelationSet all;
+  for (const RelationTraits& row : kTraits) {
+    if (row.*so) all = all | RelationSet(row.type);
+  }
+  return all;
+}
 
 std::string_view unnamed_reference(RelationType type) {
   if (const std::string_view said = traits_of(type).unnamed; !said.empty()) return said;

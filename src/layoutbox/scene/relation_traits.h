@@ -20,6 +20,10 @@ class RelationSet {
   template <class... Types>
   explicit constexpr RelationSet(Types... types) : bits_((std::uint64_t{0} | ... | (std::uint64_t{1} << static_cast<unsigned>(types)))) {}
   constexpr bool has(RelationType type) const { return ((bits_ >> static_cast<unsigned>(type)) & 1) != 0; }
+  friend constexpr RelationSet operator|(RelationSet a, RelationSet b) {
+    a.bits_ |= b.bits_;
+    return a;
+  }
 
  private:
   std::uint64_t bits_ = 0;
@@ -32,11 +36,16 @@ struct RelationTraits {
   RelationType type;
   bool symmetric = false;          // t R r says the same as r R t
   bool supports = false;           // the reference carries the target
+  bool rests = false;              // … by itself: on it or in it
   bool targets_turned = false;     // the solver's cases are right for targets at odd angles,
   bool references_turned = false;  // and for references; of the others it sees the box around them
   bool of_group = false;           // speaks of its targets together
   bool order_only = false;         // how its targets stand to each other, not where they are
   bool turns = false;              // which way its targets look, not where they are
+  bool looks = false;              // … and that to the very side
+  bool close_by = false;           // its targets are by its references, whichever way
+  bool keeps_off = false;          // how far its targets are from its references, whichever way
+  bool sideways = false;           // to the left or right of its reference
   bool beside = false;             // its targets stand beside its references, on one floor
   bool around = false;             // on all sides of its reference, looking at it
   bool brings = false;             // its targets belong to its reference: a chair to the table where it stands
@@ -54,6 +63,14 @@ struct RelationTraits {
 };
 
 const RelationTraits& traits_of(RelationType type);
+
+// All that are so.
+RelationSet relations_that(bool RelationTraits::*so);
+template <bool RelationTraits::*so>
+RelationSet relations_that() {
+  static const RelationSet all = relations_that(so);
+  return all;
+}
 
 // Is that what it says, or does that follow from it?
 bool says_too(RelationType type, RelationType other);

@@ -132,5 +132,16 @@ TEST(RelationTraits, InversesAreInverse) {
   }
 }
 
+TEST(RelationTraits, NarrowerOnesAreOfTheWider) {
+  for (const RelationRow& row : relation_table()) {
+    const RelationTraits& traits = traits_of(row.type);
+    EXPECT_TRUE(!traits.rests || traits.supports) << row.name;
+    EXPECT_TRUE(!traits.looks || traits.turns) << row.name;
+    EXPECT_TRUE(!traits.sideways || traits.placing == Placing::kSide) << row.name;
+    EXPECT_FALSE(traits.close_by && traits.keeps_off) << row.name;
+    EXPECT_EQ(relations_that<&RelationTraits::rests>().has(row.type), traits.rests) << row.name;
+  }
+}
+
 }  // namespace
 }  // namespace layoutbox::checks

@@ -67,7 +67,7 @@ Frame frame_of(const RelationCase& c, const RelationReference& r) {
   const Body* host = nullptr;
   for (const PlacedRelation& placed : c.view.layout.relations) {
     const Relation& relation = placed.relation;
-    const bool stands = relation.type == RelationType::kOn || relation.type == RelationType::kIn;
+    const bool stands = traits_of(relation.type).rests;
     if (!stands || relation.targets != std::vector<std::string>{r.id} || relation.references.size() != 1) continue;
     const Body* named = c.view.find_body(relation.references.front());
     if (named == nullptr && c.view.find_opening(relation.references.front()) == nullptr) continue;

@@ -5,6 +5,7 @@
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
 #include "layoutbox/plan/offline/word_sets.h"
+#include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox::offline {
 
@@ -13,7 +14,7 @@ using Direction = PhraseSense::Direction;
 
 namespace {
 
-bool places(R type) { return type != R::kFacing && type != R::kParallel && type != R::kPerpendicular && type != R::kSameOrientation; }
+bool places(R type) { return !traits_of(type).turns; }
 
 }  // namespace
 
@@ -34,8 +35,7 @@ bool RelationBuilder::is_placed_apart(const std::vector<int>& items, bool of_tab
     // Where it is not, says nothing of where it is.
     const bool denied = relation.type == R::kDistance && relation.parameters.min && !relation.parameters.max;
     // "a desk features a lamp to the right of a sketchbook": beside a small thing it is still on the desk.
-    const bool by_small =
-        of_table && relation.type != R::kOn && relation.type != R::kIn && only_small(own) && only_small(relation.references);
+    const bool by_small = of_table && !traits_of(relation.type).rests && only_small(own) && only_small(relation.references);
     return places(relation.type) && !mutual && !denied && !by_small;
   });
 }
@@ -181,8 +181,8 @@ bool RelationBuilder::shows(const Link& link) const { return shows_things(docume
 void RelationBuilder::add_hanging(const Link& link) {
   for (const int item : items_of(link.targets)) {
     const bool said = std::any_of(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& r) {
-      const bool hangs = r.type == R::kOnWall || r.type == R::kOnCeiling || r.type == R::kOn || r.type == R::kIn ||
-                         r.type == R::kAgainstWall || r.type == R::kCenteredOnWall;
+      const bool hangs = r.type == R::kOnWall || r.type == R::kOnCeiling || traits_of(r.type).rests || r.type == R::kAgainstWall ||
+                         r.type == R::kCenteredOnWall;
       return hangs && std::find(r.targets.begin(), r.targets.end(), id(item)) != r.targets.end();
     });
     const NounPhrase& noun = noun_of_item(item);

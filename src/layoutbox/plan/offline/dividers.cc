@@ -154,7 +154,7 @@ void RelationBuilder::divide_groups() {
     const bool as = says_one_of(document_, i, WordSet::kDividers) &&
                     (says_one_of(document_, i - std::min<std::size_t>(i, 1), {"as", "a", "room", "the"}));
     const bool verb = says_one_of(document_, i, WordSet::kDividing);
-    const bool screened = says_one_of(document_, i, {"screened", "screening"}) && says_one_of(document_, i + 1, {"off", "from"});
+    const bool screened = says_one_of(document_, i, WordSet::kScreened) && says_one_of(document_, i + 1, {"off", "from"});
     if ((!as && !verb && !screened) || i < 2) continue;
     const bool led = as && (says_one_of(document_, i - 1, {"as"}) || says_one_of(document_, i - 2, {"as"}) ||
                             (i > 2 && says_one_of(document_, i - 3, {"as"})));

@@ -2,6 +2,7 @@
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/size_words.h"
 #include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/offline/word_sets.h"
 #include "layoutbox/scene/relation_traits.h"
 
@@ -178,12 +179,9 @@ bool goes_into(const NounPhrase& vessel, const NounPhrase& item) {
 bool stands_beside(RelationType type) { return traits_of(type).beside || type == R::kAtFootOf; }
 
 bool may_refer(const Catalog& catalog, const PhraseSenses& senses, const NounPhrase& target, const NounPhrase& reference) {
-  const auto says = [&](RelationType type) {
-    return std::any_of(senses.begin(), senses.end(), [&](const PhraseSense& s) { return s.type == type; });
-  };
   if (reference.kind != NounKind::kObject || target.kind != NounKind::kObject) return true;
-  if (says(RelationType::kOn) || says(RelationType::kIn)) return may_carry(catalog, reference, target);
-  if (says(RelationType::kUnder) && mount_of(target) == Mount::kFloor && (target.entry == nullptr || !target.entry->thin))
+  if (says(senses, &RelationTraits::rests)) return may_carry(catalog, reference, target);
+  if (says(senses, RelationType::kUnder) && mount_of(target) == Mount::kFloor && (target.entry == nullptr || !target.entry->thin))
     return may_be_under(catalog, reference);
   const bool beside = std::any_of(senses.begin(), senses.end(), [](const PhraseSense& s) { return stands_beside(s.type); });
   if (beside && mount_of(target) == Mount::kFloor) return mount_of(reference) != Mount::kSurface && mount_of(reference) != Mount::kCeiling;

@@ -86,11 +86,6 @@ std::pair<std::string_view, std::size_t> Lexicon::room_suggested(std::span<const
   return best;
 }
 
-const CatalogEntry* Lexicon::seat_at(const CatalogEntry& table) const {
-  const auto found = std::find_if(seats_.begin(), seats_.end(), [&](const auto& pair) { return catalog_->is_a(table.id, pair.first->id); });
-  return found == seats_.end() ? nullptr : found->second;
-}
-
 const CatalogEntry* Lexicon::meant_in(const RoomKind& room, std::string_view name, std::string_view word) const {
   for (const std::string_view kind : {name, std::string_view(room.id)}) {
     if (const auto found = room_senses_.find(std::string(kind) + "|" + std::string(word)); found != room_senses_.end())

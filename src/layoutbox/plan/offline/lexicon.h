@@ -192,8 +192,6 @@ class Lexicon {
   std::string_view young_room(std::string_view room) const;
   // The kind of room that what begins at `at` is done in or is for ("watch movies", "my grandmother"), and the tokens it takes; 0 for none.
   std::pair<std::string_view, std::size_t> room_suggested(std::span<const Token> tokens, std::size_t at) const;
-  // What one sits on at a table of that kind, or null.
-  const CatalogEntry* seat_at(const CatalogEntry& table) const;
   // What a plain word means in rooms of that kind or name ("mat" in a gym), or null.
   const CatalogEntry* meant_in(const RoomKind& room, std::string_view name, std::string_view word) const;
   // What a common typing error stands for ("teh" → the, "infront" → in front), or empty.
@@ -249,9 +247,8 @@ class Lexicon {
   std::unordered_map<std::string, Set> sets_;                       // key_of
   std::unordered_map<std::string, Set> needs_;                      // by room
   std::unordered_map<std::string, std::string> young_rooms_;
-  std::unordered_map<std::string, std::string> activities_;                 // words joined by spaces, room
-  std::vector<std::pair<const CatalogEntry*, const CatalogEntry*>> seats_;  // table, seat or null; special kinds first
-  std::unordered_map<std::string, const CatalogEntry*> room_senses_;        // "room word"
+  std::unordered_map<std::string, std::string> activities_;           // words joined by spaces, room
+  std::unordered_map<std::string, const CatalogEntry*> room_senses_;  // "room word"
   std::unordered_set<std::string> persons_, young_persons_, plural_only_, place_verbs_;
   std::unordered_map<std::string, std::unordered_set<std::string>> small_lists_;  // by the list's name
   std::unordered_map<std::string, std::string> pasts_;                            // what is no form by rule

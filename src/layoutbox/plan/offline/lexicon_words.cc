@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "layoutbox/base/words.h"
-#include "layoutbox/catalog/groups.h"
 #include "layoutbox/catalog/kin.h"
 #include "layoutbox/catalog/word_lists.h"
 
@@ -300,7 +299,7 @@ void Lexicon::add_set(std::unordered_map<std::string, Set>& sets, const std::str
   sets[key] = std::move(set);
 }
 
-// What rooms need for each person, what one sits on, and what plain words mean in a room.
+// What rooms need for each person, and what plain words mean in a room.
 void Lexicon::read_room_knowledge() {
   const WordList room = word_list("words_room");
   for (const WordList::Member word : room.at("persons")) persons_.emplace(word.value.text());
@@ -310,10 +309,6 @@ void Lexicon::read_room_knowledge() {
     for (const WordList::Member word : kind.value) activities_.try_emplace(std::string(word.value.text()), kind.key);
   }
   for (const WordList::Member kind : room.at("people_rooms")) young_rooms_[std::string(kind.key)] = kind.value.text();
-  for (const Seating& seating : Groups::builtin().seatings) {
-    const CatalogEntry* entry = seating.rooms.empty() ? catalog_->find(seating.at) : nullptr;
-    if (entry != nullptr) seats_.emplace_back(entry, catalog_->find(seating.seat));
-  }
   for (const WordList::Member sense : room.at("room_senses")) {
     for (const WordList::Member kind : sense.value.at("rooms")) {
       for (const WordList::Member word : sense.value.at("words"))

@@ -256,7 +256,7 @@ bool RelationBuilder::hangs_on_hooks(const std::string& object) const {
   const std::vector<std::size_t>& all = relations_of(object);
   return std::any_of(all.begin(), all.end(), [&](std::size_t i) {
     const Relation& r = scene_.relations[i];
-    if ((r.type != R::kOn && r.type != R::kIn) || r.references.empty()) return false;
+    if (!traits_of(r.type).rests || r.references.empty()) return false;
     const SceneObject* host = object_of(r.references.front());
     if (host == nullptr) return false;
     // A coat stand has no top and no inside: on it things hang.
@@ -285,7 +285,7 @@ bool RelationBuilder::is_carried(const std::string& object) const {
   const std::vector<std::size_t>& all = relations_of(object);
   return std::any_of(all.begin(), all.end(), [&](std::size_t i) {
     const Relation& r = scene_.relations[i];
-    if ((r.type != R::kOn && r.type != R::kIn) || r.references.empty()) return false;
+    if (!traits_of(r.type).rests || r.references.empty()) return false;
     if (r.references.front().starts_with("window")) return true;  // on its sill
     const SceneObject* host = object_of(r.references.front());
     if (host == nullptr) return false;

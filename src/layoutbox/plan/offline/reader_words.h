@@ -7,6 +7,7 @@
 
 #include "layoutbox/plan/offline/noun_phrase.h"
 #include "layoutbox/plan/offline/word_sets.h"
+#include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox::offline {
 
@@ -31,6 +32,10 @@ inline PhraseSenses with_direction(const PhraseSenses& senses, Direction directi
 
 inline bool says(const PhraseSenses& senses, RelationType type) {
   return std::any_of(senses.begin(), senses.end(), [&](const PhraseSense& s) { return s.type == type; });
+}
+
+inline bool says(const PhraseSenses& senses, bool RelationTraits::*so) {
+  return std::any_of(senses.begin(), senses.end(), [&](const PhraseSense& s) { return traits_of(s.type).*so; });
 }
 
 // "holds", "decorates": a finite verb among the relation phrases and the words of having.

@@ -102,7 +102,7 @@ void RelationBuilder::add(const Link& link, R type, std::vector<std::string> tar
   if (type == R::kBetween && references.size() > 2) keep_two_that_stand(references);
   if (type == R::kBetween && references.size() < 2) type = R::kNextTo;  // "a sectional parted by a table": nobody says from what
   // "in Japanese style with a futon": that a thing is in the room says nothing.
-  if ((type == R::kOn || type == R::kIn) && references.size() == 1 && references.front() == "room") return;
+  if (traits_of(type).rests && references.size() == 1 && references.front() == "room") return;
   if (type == R::kAbove && link.kind == Link::Kind::kHave && references.size() == 1) {
     const SceneObject *thing = scene_.find_object(targets.front()), *host = scene_.find_object(references.front());
     if (thing != nullptr && host != nullptr && is_used_within(catalog_, *thing, *host)) type = R::kInside;

@@ -310,7 +310,7 @@ bool RelationBuilder::look_at_one_thing(const Mention& mention) const {
   return !mention.items.empty() && std::ranges::all_of(mention.items, [&](int item) {
     return std::ranges::any_of(relations_of(id(item)), [&](std::size_t r) {
       const R type = scene_.relations[r].type;
-      return type == R::kFacing || type == R::kSameOrientation || type == R::kGrid;
+      return traits_of(type).looks || type == R::kGrid;
     });
   });
 }

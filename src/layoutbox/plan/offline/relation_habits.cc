@@ -103,7 +103,7 @@ void RelationBuilder::add_front() {
     const NounPhrase& noun = noun_of_object(object);
     if (!one_of(noun.head, WordSet::kLookedAtByClass)) continue;
     const auto looks = [&](const Relation& r) {
-      return (r.type == R::kFacing || r.type == R::kSameOrientation) && !r.references.empty() && r.references.front() == object.id;
+      return traits_of(r.type).looks && !r.references.empty() && r.references.front() == object.id;
     };
     const bool many = std::count_if(scene_.relations.begin(), scene_.relations.end(), looks) >= 2;
     const std::vector<std::size_t>& own = relations_of(object.id);

@@ -37,7 +37,7 @@ void RelationBuilder::place_host_of(const Link& have) {
     return by.items.empty() || (carried && !list && by.items != host.items && mount_of(noun_of_item(by.items.front())) == Mount::kFloor);
   };
   const auto is_place = [&](const Link& link, int target) {
-    const bool rests = carried && (says(link.senses, R::kOn) || says(link.senses, R::kIn) || says(link.senses, R::kCenterOfRoom));
+    const bool rests = carried && (says(link.senses, &RelationTraits::rests) || says(link.senses, R::kCenterOfRoom));
     if (hung && !says(link.senses, R::kUnderWindow)) return false;
     return link.kind == Link::Kind::kRelation && link.targets == std::vector<int>{target} && !rests &&
            std::all_of(link.references.begin(), link.references.end(), stands);
@@ -72,7 +72,7 @@ void RelationBuilder::complete_counters() {
 // "an island with a sink", "a basin in the counter": what stands by itself elsewhere is let into a top.
 void RelationBuilder::let_into_tops() {
   for (const Link& link : document_.links) {
-    const bool place = link.kind == Link::Kind::kRelation && (says(link.senses, R::kOn) || says(link.senses, R::kIn));
+    const bool place = link.kind == Link::Kind::kRelation && says(link.senses, &RelationTraits::rests);
     if ((!place && link.kind != Link::Kind::kHave) || link.references.empty() || mention(link.references.front()).items.empty()) continue;
     const NounPhrase& host = noun_of_item(mention(link.references.front()).items.front());
     if (host.entry == nullptr || mount_of(host) != Mount::kFloor) continue;

@@ -51,9 +51,8 @@ void RelationBuilder::seat_viewers() {
 bool RelationBuilder::is_only_by_opening(const std::string& object) const {
   return std::ranges::all_of(relations_of(object), [&](std::size_t r) {
     const Relation& relation = scene_.relations[r];
-    const bool by =
-        relation.type == R::kNextTo || relation.type == R::kNear || relation.type == R::kNearWindow || relation.type == R::kNearDoor;
-    return by && std::ranges::all_of(relation.references, [&](const std::string& id) { return scene_.find_object(id) == nullptr; });
+    return traits_of(relation.type).close_by &&
+           std::ranges::all_of(relation.references, [&](const std::string& id) { return scene_.find_object(id) == nullptr; });
   });
 }
 

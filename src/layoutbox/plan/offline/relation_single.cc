@@ -6,6 +6,7 @@
 #include "layoutbox/plan/offline/relation_builder_parts.h"
 #include "layoutbox/plan/offline/room_reader.h"
 #include "layoutbox/plan/offline/word_sets.h"
+#include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox::offline {
 
@@ -22,11 +23,11 @@ void RelationBuilder::add_in_room(const Link& link, const PhraseSense& sense, co
     return;
   }
   // "at the very center of the compartment": whatever the room is called
-  if ((sense.type == R::kIn || sense.type == R::kOn) && sense.part.has(PartWord::kCenter)) {
+  if (traits_of(sense.type).rests && sense.part.has(PartWord::kCenter)) {
     for (const int item : target.items) add(link, R::kCenterOfRoom, {id(item)}, {});
     return;
   }
-  if (place.kind == NounKind::kRoom && (sense.type == R::kIn || sense.type == R::kOn || sense.type == R::kInside)) return;
+  if (place.kind == NounKind::kRoom && (traits_of(sense.type).rests || sense.type == R::kInside)) return;
   if (sense.type == R::kCorner) return add_corners(link, target, place);
   const std::vector<std::string> walls =
       target.items.size() > 1 ? shared_walls(place, sense.type == R::kOnWall && !is_tall(target.noun)) : std::vector<std::string>{};
@@ -160,8 +161,7 @@ bool RelationBuilder::add_by_carrier(const Link& link, const PhraseSense& sense,
   const bool by = sense.type == R::kNear || sense.type == R::kNextTo || sense.type == R::kOpposite;
   if (!link.implied || !by || mount_of(target.noun) != Mount::kFloor) return false;
   for (const Relation& r : scene_.relations) {
-    const bool carried =
-        (r.type == R::kOn || r.type == R::kIn) && !r.targets.empty() && r.targets.front() == id(reference) && !r.references.empty();
+    const bool carried = traits_of(r.type).rests && !r.targets.empty() && r.targets.front() == id(reference) && !r.references.empty();
     if (!carried) continue;
     const std::string host = r.references.front();
     for (const int item : target.items) add(link, sense.type, {id(item)}, {host}, sense);

@@ -4,6 +4,7 @@
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/word_sets.h"
+#include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox::offline {
 
@@ -79,6 +80,10 @@ class SenseChooser {
   bool says(R type) const {
     return std::any_of(senses_.begin(), senses_.end(), [&](const PhraseSense& s) { return s.type == type && s.direction == direction_; });
   }
+  bool says(bool RelationTraits::*so) const {
+    return std::any_of(senses_.begin(), senses_.end(),
+                       [&](const PhraseSense& s) { return traits_of(s.type).*so && s.direction == direction_; });
+  }
   bool says_any(std::initializer_list<R> types) const {
     return std::any_of(types.begin(), types.end(), [&](R type) { return says(type); });
   }
@@ -91,7 +96,7 @@ class SenseChooser {
       case NounKind::kCeiling: return chosen(says_any({R::kOnCeiling, R::kOn}) ? std::optional(own(R::kOnCeiling)) : std::nullopt);
       case NounKind::kFloor:
         if (says(R::kCenterOfRoom)) return chosen(own(R::kCenterOfRoom));
-        return chosen(says_any({R::kOn, R::kIn}) ? std::optional(own(R::kOn)) : std::nullopt);
+        return chosen(says(&RelationTraits::rests) ? std::optional(own(R::kOn)) : std::nullopt);
       case NounKind::kPart: return if_any(at_part());
       case NounKind::kWall: return if_any(at_wall());
       default: return {};
@@ -156,7 +161,7 @@ class SenseChooser {
     if (head == "headboard" && says(R::kAbove)) return own(R::kAbove);
     if (head == "head" || head == "headboard") return own(R::kAtHeadOf);
     if (head == "side" || head == "edge") return at_side();
-    if (one_of(head, WordSet::kTops) && says_any({R::kOn, R::kIn, R::kCenterOfRoom})) return own(R::kOn);
+    if (one_of(head, WordSet::kTops) && (says(&RelationTraits::rests) || says(R::kCenterOfRoom))) return own(R::kOn);
     return std::nullopt;
   }
 

@@ -208,7 +208,7 @@ void RelationBuilder::part_from_neighbours() {
     const std::vector<std::size_t>& all = relations_of(on.targets.front());
     return std::any_of(all.begin(), all.end(), [&](std::size_t r) {
       const Relation& other = scene_.relations[r];
-      return (other.type == R::kLeftOf || other.type == R::kRightOf || other.type == R::kNextTo) && other.references == on.references;
+      return (traits_of(other.type).sideways || other.type == R::kNextTo) && other.references == on.references;
     });
   };
   for (Relation& relation : scene_.relations) {

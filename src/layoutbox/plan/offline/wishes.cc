@@ -5,6 +5,7 @@
 #include <map>
 
 #include "layoutbox/base/words.h"
+#include "layoutbox/catalog/groups.h"
 #include "layoutbox/catalog/size_words.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/english.h"
@@ -251,25 +252,20 @@ bool tells_age_of_child(const Document& document) {
 // What a room of no named kind is, by what stands in it; empty where that says nothing.
 std::string kind_by_contents(const Lexicon& lexicon, const Document& document, const SceneGraph& scene) {
   const Catalog& catalog = lexicon.catalog();
-  const auto count = [&](std::initializer_list<std::string_view> kinds) {
+  const auto count = [&](const std::vector<std::string>& kinds) {
     return std::ranges::count_if(scene.objects, [&](const SceneObject& object) {
-      return std::ranges::any_of(kinds, [&](std::string_view kind) { return catalog.is_a(object.category, kind); });
+      return std::ranges::any_of(kinds, [&](const std::string& kind) { return catalog.is_a(object.category, kind); });
     });
   };
-  const auto cooks = count({"stove", "oven", "cooktop", "kitchen_sink"}), sits = count({"sofa"});
   const bool young = tells_age_of_child(document) ||
                      std::ranges::any_of(document.tokens, [&](const Token& token) { return lexicon.is_young(singular_of(token.text)); });
-  if (count({"crib", "changing_table"}) > 1) return "nursery";
-  if (count({"bed"}) > 0) {
-    if (count({"hospital_bed"}) > 0) return "hospital_room";
-    if (cooks > 0 || (sits > 0 && count({"dining_table"}) > 0)) return "studio_apartment";
-    return young ? "kids_room" : "bedroom";
-  }
-  if (cooks > 0 && sits == 0) return "kitchen";
-  if (count({"toilet"}) > 0) return "bathroom";
-  if (sits > 0 && count({"tv", "coffee_table", "armchair", "fireplace"}) > 0) return "living_room";
-  if (count({"desk"}) > 0 && count({"file_cabinet", "printer", "conference_table"}) > 0) return "office";
-  return {};
+  const auto fits = [&](const RoomByContents& row) {
+    const auto has = [&](const std::vector<std::string>& kinds) { return count(kinds) >= row.at_least; };
+    return (young || !row.young) && std::ranges::all_of(row.has, has) && count(row.without) == 0;
+  };
+  const std::vector<RoomByContents>& rows = Groups::builtin().contents;
+  const auto row = std::ranges::find_if(rows, fits);
+  return row == rows.end() ? std::string() : row->room;
 }
 
 // "with a kitchen along the right wall", "… on the left": the wall, or empty.

@@ -55,7 +55,7 @@ bool Decoder::consider(std::vector<Candidate>& all, const State& state, Referent
   const NounPhrase& meant = noun_of(state, referent);
   const bool opening = (meant.kind == NounKind::kDoor || meant.kind == NounKind::kWindow) &&
                        // "a desk and a bed in it": in the room; nothing lies on a door.
-                       !(senses != nullptr && (says(*senses, RelationType::kIn) || says(*senses, RelationType::kOn)));
+                       !(senses != nullptr && says(*senses, &RelationTraits::rests));
   if (!is_thing(state, referent) && !(opening && senses != nullptr && noun != nullptr && noun->head == "it")) return false;
   if (subject != kNobody && !is_of_one_group(state, referent, subject, noun) && same(state, referent, subject)) return false;
   // Nothing is placed by what lies on it, nor between what it has.
@@ -90,7 +90,7 @@ double Decoder::antecedent_place_score(const State& state, Referent referent, Re
   const bool small = mount_of(target) == Mount::kSurface;
   double score = sense_.of_place(senses, target, meant);
   const bool side = says(senses, RelationType::kLeftOf) || says(senses, RelationType::kRightOf);
-  const bool lies = says(senses, RelationType::kOn) || says(senses, RelationType::kIn);
+  const bool lies = says(senses, &RelationTraits::rests);
   const Referent owner = subject >= 0 ? host_of(state, subject) : kNobody;
   if (subject >= 0 && referent == owner && side) score += weight::kOwnHost;
   // "holds a laptop, with a mug to its left": of what stands on the same thing.
@@ -263,7 +263,7 @@ bool Decoder::placed_by_before(const State& state, int u) const {
 
 // Of the sentences before.
 void Decoder::text_antecedents(const State& state, const PhraseSenses* senses, const Trial& trial, double order) const {
-  const bool lies = senses != nullptr && (says(*senses, RelationType::kOn) || says(*senses, RelationType::kIn));
+  const bool lies = senses != nullptr && says(*senses, &RelationTraits::rests);
   // "Opposite the shower is a sink. Over it …": the sink; but "in front of it" as the place before.
   const bool over = senses != nullptr && (says(*senses, RelationType::kAbove) || says(*senses, RelationType::kUnder));
   if (before_.fronted >= 0 && !lies && !over && state.roots.empty() && state.frontier.empty())

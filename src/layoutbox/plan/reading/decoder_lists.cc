@@ -55,7 +55,7 @@ bool Decoder::placed_by_clause(const State& state, int u) const {
   const bool carried = std::any_of(state.fronted.begin(), state.fronted.end(), [&](int place) {
     if (!is_thing(state, read_as(state, place).alone ? read_as(state, place).implied : place + 1)) return false;
     const PhraseSenses& senses = read_as(state, place).alone ? alone_senses(place) : unit(place).direct;
-    return says(senses, RelationType::kOn) || says(senses, RelationType::kIn);
+    return says(senses, &RelationTraits::rests);
   });
   if (state.fronted.empty() || carried || !is(by, UnitKind::kNoun) || state.frontier.empty()) return false;
   const NounPhrase& noun = chunk(by).noun;

@@ -85,8 +85,8 @@ bool Decoder::hangs_twice(const State& state, int u, int member) const {
 // "On the desk stands a bust, on the table an urn": the bust lies there already.
 bool Decoder::lies_twice(const State& state, int u, int member) const {
   const auto on_thing = [&](int place) {
-    return is(place, UnitKind::kPlace) && (says(unit(place).direct, RelationType::kOn) || says(unit(place).direct, RelationType::kIn)) &&
-           is(place + 1, UnitKind::kNoun) && unit(place + 1).joiner == Joiner::kNone;
+    return is(place, UnitKind::kPlace) && says(unit(place).direct, &RelationTraits::rests) && is(place + 1, UnitKind::kNoun) &&
+           unit(place + 1).joiner == Joiner::kNone;
   };
   if (!on_thing(u) || unit(u).joiner == Joiner::kNone || chunk(u + 1).noun.kind == NounKind::kPronoun) return false;
   for (int before = 0; before < u; ++before) {

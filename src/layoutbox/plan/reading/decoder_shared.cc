@@ -73,7 +73,7 @@ double Decoder::share_kind_score(const State& state, int member, int u, Referent
   const NounPhrase &noun = noun_of(state, member), &before = noun_of(state, read_as(state, member).former);
   const PhraseSenses& senses = unit(u).direct.empty() ? unit(u).alone : unit(u).direct;
   const NounPhrase& host = by.kind == NounKind::kMember && by.of ? *by.of : by;  // "on each of the two nightstands"
-  const bool lies = says(senses, RelationType::kOn) || says(senses, RelationType::kIn);
+  const bool lies = says(senses, &RelationTraits::rests);
   const bool listed = unit(member).joiner != Joiner::kComma || state.frontier.back() != member;
   if (listed && (implied != kNobody || follows(u, UnitKind::kNoun)) && host.kind == NounKind::kObject) {
     const bool around =

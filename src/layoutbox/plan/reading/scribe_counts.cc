@@ -144,7 +144,7 @@ void Scribe::grow_contents(int host, std::size_t before) {
   for (std::size_t l = sentence_links_; l < document_.links.size(); ++l) {
     const Link& link = document_.links[l];
     if (link.kind != Link::Kind::kRelation || link.references.size() != 1 || link.targets.size() != 1) continue;
-    if (!says(link.senses, RelationType::kOn) && !says(link.senses, RelationType::kIn)) continue;
+    if (!says(link.senses, &RelationTraits::rests)) continue;
     const int other = link.targets.front() == host ? link.references.front() : link.references.front() == host ? link.targets.front() : -1;
     if (other < 0 || !is_thing(other) || !mention_at(other).introduces || mention_at(other).items.size() != before) continue;
     if (noun_of(other).determiner == Determiner::kIndefinite && mount_of(noun_of(link.targets.front())) == Mount::kSurface)

@@ -47,8 +47,8 @@ void Scribe::grow_for_reference(int index, int mention, bool both) {
       const bool agree = mention_at(target).items.size() == mention_at(mention).items.size() && is_placed_before(target, index);
       // "mirrors in front of each chair", "pictures above each bed": one for each; but "pillows on each bed", "chairs around each table".
       const NounPhrase& said = noun_of(target);
-      const bool single = said.plural && said.count == 0 && said.determiner == Determiner::kNone && !says(link.senses, RelationType::kOn) &&
-                          !says(link.senses, RelationType::kIn) && !says(link.senses, RelationType::kAround) &&
+      const bool single = said.plural && said.count == 0 && said.determiner == Determiner::kNone &&
+                          !says(link.senses, &RelationTraits::rests) && !says(link.senses, RelationType::kAround) &&
                           !says(link.senses, RelationType::kSurround);
       if (single && mention_at(target).items.size() <= 2)
         references_.grow(target, mention_at(mention).items.size());

@@ -314,8 +314,8 @@ bool UnitReader::is_figure(std::size_t k) const {
     if (!is(place, ChunkKind::kRelation) || !is(host, ChunkKind::kNoun) || chunk(host).noun.entry == nullptr) return false;
     const PhraseSenses& senses = *chunk(place).phrase.senses;
     const NounPhrase& by = chunk(host).noun;
-    return (says(senses, RelationType::kOn) || says(senses, RelationType::kIn)) && by.kind == NounKind::kObject && !by.entry->thin &&
-           !is_seat(lexicon_.catalog(), by) && !by.entry->is(Trait::kBed);
+    return says(senses, &RelationTraits::rests) && by.kind == NounKind::kObject && !by.entry->thin && !is_seat(lexicon_.catalog(), by) &&
+           !by.entry->is(Trait::kBed);
   };
   const std::size_t n = next(k);
   if (holds(is(n, ChunkKind::kVerb) ? next(n) : n, next(is(n, ChunkKind::kVerb) ? next(n) : n))) return true;

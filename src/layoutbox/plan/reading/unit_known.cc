@@ -14,8 +14,7 @@ bool UnitReader::lists_on_thing(std::size_t k) const {
   if (!is(n, ChunkKind::kRelation) || !is(host, ChunkKind::kNoun)) return false;
   const NounPhrase& by = chunk(host).noun;
   const PhraseSenses& senses = *chunk(n).phrase.senses;
-  return (says(senses, RelationType::kOn) || says(senses, RelationType::kIn)) && by.kind == NounKind::kObject && by.exact &&
-         by.determiner == Determiner::kDefinite;
+  return says(senses, &RelationTraits::rests) && by.kind == NounKind::kObject && by.exact && by.determiner == Determiner::kDefinite;
 }
 
 // Beside what is new in the room as well, in a list.

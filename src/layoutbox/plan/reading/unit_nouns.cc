@@ -292,8 +292,7 @@ bool UnitReader::says_where_room_is(std::size_t k) {
   if (chunk(units_.front().chunk).noun.kind != NounKind::kRoom || units_.front().chunk + 2 != k) return false;
   const NounPhrase& whole = noun.kind != NounKind::kObject && noun.of ? *noun.of : noun;
   const PhraseSenses& where = units_.back().direct;
-  const bool in = says(where, RelationType::kIn) || says(where, RelationType::kOn) || says(where, RelationType::kAbove) ||
-                  says(where, RelationType::kUnder);
+  const bool in = says(where, &RelationTraits::rests) || says(where, RelationType::kAbove) || says(where, RelationType::kUnder);
   if (!in || whole.kind != NounKind::kObject || whole.determiner != Determiner::kIndefinite || whole.count > 0) return false;
   mark(k, Use::kIgnored, "where the room is");
   mark(units_.back().chunk, Use::kIgnored, "where the room is");

@@ -253,7 +253,7 @@ void UnitReader::mean_fabric(std::size_t k) {
       !noun.attributes.empty())
     return;
   if (noun.head == "glass" && noun.name == "glass" && !noun.plural && !is_named_before(k, "glass") &&
-      !says(units_.back().direct, RelationType::kOn) && !says(units_.back().direct, RelationType::kIn))
+      !says(units_.back().direct, &RelationTraits::rests))
     noun.kind = NounKind::kWindow;
   if ((noun.name == "stairs" || (noun.name == "stair" && noun.plural)) && !is_named_before(k, noun.head)) noun.kind = NounKind::kAbstract;
 }

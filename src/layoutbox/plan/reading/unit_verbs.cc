@@ -146,7 +146,7 @@ void UnitReader::mean_own_part(std::size_t k) {
   const PhraseSenses& direct = units_.back().direct;
   const bool before_it = says(direct, RelationType::kInFrontOf) || says(direct, RelationType::kAbove) ||
                          says(direct, RelationType::kBehind) || says(direct, RelationType::kNextTo) || says(direct, RelationType::kFacing);
-  if (!before_it || says(direct, RelationType::kOn) || says(direct, RelationType::kIn)) return;
+  if (!before_it || says(direct, &RelationTraits::rests)) return;
   NounPhrase whole;
   whole.kind = NounKind::kPronoun;
   whole.head = "it";

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "layoutbox/scene/relation_traits.h"
 #include "layoutbox/solve/model/slanted.h"
 
 namespace layoutbox::placement {
@@ -62,8 +63,8 @@ int frame_host(const PlacementModel& model, int r) {
   if (ref.is_opening() || ref.has_front) return -1;
   int host = -1;
   for (const Relation& relation : model.scene->relations) {
-    if ((relation.type != RelationType::kOn && relation.type != RelationType::kIn) || relation.targets.size() != 1 ||
-        relation.targets.front() != ref.id || relation.references.size() != 1)
+    if (!traits_of(relation.type).rests || relation.targets.size() != 1 || relation.targets.front() != ref.id ||
+        relation.references.size() != 1)
       continue;
     const int named = model.find_item(relation.references.front());
     if (named < 0 || model.items[named].is_opening() || model.items[named].thin || (host >= 0 && host != named)) return -1;

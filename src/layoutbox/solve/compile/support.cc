@@ -1,5 +1,6 @@
 #include "layoutbox/solve/compile/support.h"
 
+#include "layoutbox/scene/relation_traits.h"
 #include "layoutbox/solve/compile/phrases.h"
 
 namespace layoutbox::placement {
@@ -114,7 +115,7 @@ std::vector<int> hosts_named(const PlacementModel& model, int t) {
   for (const Relation& relation : model.scene->relations) {
     const auto at = std::find(relation.targets.begin(), relation.targets.end(), model.items[t].id);
     if (at == relation.targets.end()) continue;
-    if (relation.type == RelationType::kOn || relation.type == RelationType::kIn) {
+    if (traits_of(relation.type).rests) {
       for (const std::string& id : relation.references) add(id);
     }
     if (relation.type != RelationType::kStacked) continue;
@@ -167,7 +168,7 @@ std::vector<std::string> holders_said(const SceneGraph& scene, const std::string
     const auto at = std::find(r.targets.begin(), r.targets.end(), id);
     if (!r.hard || at == r.targets.end()) continue;
     const bool first = r.type == RelationType::kStacked && at == r.targets.begin();
-    if (r.type == RelationType::kOn || r.type == RelationType::kIn || first)
+    if (traits_of(r.type).rests || first)
       holders.insert(holders.end(), r.references.begin(), r.references.end());
     else if (r.type == RelationType::kStacked)
       holders.push_back(*(at - 1));

@@ -202,7 +202,7 @@ bool rests_on_others(const SceneGraph& scene, const std::string& id) {
 
 bool holds_others(const SceneGraph& scene, const std::string& id) {
   return std::any_of(scene.relations.begin(), scene.relations.end(), [&](const Relation& r) {
-    const bool holds = r.type == RelationType::kOn || r.type == RelationType::kIn || r.type == RelationType::kUnder;
+    const bool holds = traits_of(r.type).rests || r.type == RelationType::kUnder;
     return holds && std::find(r.references.begin(), r.references.end(), id) != r.references.end();
   });
 }

@@ -4,6 +4,15 @@
 #include "layoutbox/solve/priors/habits.h"
 
 namespace layoutbox::placement {
+namespace {
+
+// Does it speak of the two together?
+bool ties(const Relation& relation, const std::string& one, const std::string& other) {
+  const auto has = [](const std::vector<std::string>& ids, const std::string& id) { return std::ranges::find(ids, id) != ids.end(); };
+  return (has(relation.targets, one) && has(relation.references, other)) || (has(relation.targets, other) && has(relation.references, one));
+}
+
+}  // namespace
 
 Habits::Habits(PlacementModel& model) : model_(model), said_of_(model.items.size()) {
   for (const Relation& relation : model.scene->relations) {
@@ -144,24 +153,17 @@ int Habits::rank_of(int item) const {
 
 // Does a relation of the scene already say how these two stand to each other?
 bool Habits::related(int a, int b) const {
-  const auto has = [](const std::vector<std::string>& ids, const std::string& id) {
-    return std::find(ids.begin(), ids.end(), id) != ids.end();
-  };
-  const std::string &x = model_.items[a].id, &y = model_.items[b].id;
-  return std::ranges::any_of(said_of(a), [&](const Relation* r) {
-    return (has(r->targets, x) && has(r->references, y)) || (has(r->targets, y) && has(r->references, x));
-  });
+  return std::ranges::any_of(said_of(a), [&](const Relation* r) { return ties(*r, model_.items[a].id, model_.items[b].id); });
 }
 
-bool Habits::only_related_by(int a, int b, std::initializer_list<RelationType> types) const {
-  const auto has = [](const std::vector<std::string>& ids, const std::string& id) {
-    return std::find(ids.begin(), ids.end(), id) != ids.end();
-  };
-  const std::string &x = model_.items[a].id, &y = model_.items[b].id;
-  return std::ranges::none_of(said_of(a), [&](const Relation* r) {
-    const bool both = (has(r->targets, x) && has(r->references, y)) || (has(r->targets, y) && has(r->references, x));
-    return both && std::find(types.begin(), types.end(), r->type) == types.end();
-  });
+bool Habits::related_by_any(int a, int b, RelationSet types) const {
+  return std::ranges::any_of(said_of(a),
+                             [&](const Relation* r) { return types.has(r->type) && ties(*r, model_.items[a].id, model_.items[b].id); });
+}
+
+bool Habits::only_related_by(int a, int b, RelationSet types) const {
+  return std::ranges::none_of(said_of(a),
+                              [&](const Relation* r) { return !types.has(r->type) && ties(*r, model_.items[a].id, model_.items[b].id); });
 }
 
 bool Habits::related_as_target(int item, int reference, RelationType type) const {
@@ -186,16 +188,14 @@ bool Habits::is_low_aside(int item) const {
 
 // Is a door or window all that it is told to be by? Then it stands at the wall there, a coat stand or a cat tree, not in the way.
 bool Habits::only_told_opening(int item) const {
-  using R = RelationType;
   bool told = false;
   for (const Relation& r : model_.scene->relations) {
     if (std::ranges::find(r.targets, model_.items[item].id) == r.targets.end()) continue;
-    const bool near = r.type == R::kNear || r.type == R::kNextTo || r.type == R::kNearWindow || r.type == R::kNearDoor;
     const bool opening = std::ranges::all_of(r.references, [&](const std::string& id) {
       const int other = model_.find_item(id);
       return other >= 0 && model_.items[other].is_opening();
     });
-    if (!near || !opening) return false;
+    if (!traits_of(r.type).close_by || !opening) return false;
     told = true;
   }
   return told;

@@ -2,12 +2,12 @@
 // one kind.
 #pragma once
 
-#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "layoutbox/scene/relation_traits.h"
 #include "layoutbox/solve/compile/phrases.h"
 #include "layoutbox/solve/priors/formation.h"
 
@@ -41,8 +41,9 @@ class Habits {
   // The relations of the scene that speak of it.
   const std::vector<const Relation*>& said_of(int item) const { return said_of_[static_cast<std::size_t>(item)]; }
   bool related(int a, int b) const;
-  bool only_related_by(int a, int b, std::initializer_list<RelationType> types) const;
+  bool only_related_by(int a, int b, RelationSet types) const;
   bool related_as_target(int item, int reference, RelationType type) const;
+  bool related_by_any(int a, int b, RelationSet types) const;
   bool placed_by_relation(int item) const;
   bool only_told_opening(int item) const;
   bool is_low_aside(int item) const;

@@ -50,13 +50,14 @@ void Habits::stand_in_run(int item) {
   constexpr Mm kTall = 1200;
   const auto is_low = [&](int i) { return in_runs(i) && model_.items[i].states[0].size.height < kTall; };
   // One works beside sink and hob: worktops stand by them, and by a fridge where there is nothing else.
+  const RelationSet beside_it = relations_that<&RelationTraits::close_by>() | relations_that<&RelationTraits::sideways>();
   bool by_low = false;
   for (int other = 0; other < item; ++other) by_low |= model_.items[item].is(Trait::kCounter) && is_low(other);
   Formula f;
   for (int other = 0; other < item; ++other) {
     if (!in_runs(other) || (by_low && !is_low(other))) continue;
     // Words that say more than which side say how these two stand.
-    if (!only_related_by(item, other, {RelationType::kNextTo, RelationType::kNear, RelationType::kLeftOf, RelationType::kRightOf})) return;
+    if (!only_related_by(item, other, beside_it)) return;
     for (const Side side : {Side::kLeft, Side::kRight}) add_beside(f, model_, item, other, side, {.most = 60});
   }
   if (!f.cases.empty()) habit("in the run", item, kInRun, std::move(f));
@@ -112,11 +113,11 @@ bool Habits::stand_along_run(int item) {
 // it? What stands anywhere has to be told to be at a wall.
 bool Habits::only_told_its_wall(int item) const {
   using R = RelationType;
-  constexpr std::array kOfWalls{R::kOnWall, R::kAgainstWall, R::kOpposite, R::kDistance, R::kFar, R::kFarFromDoor};
+  const RelationSet of_walls = RelationSet(R::kOnWall, R::kAgainstWall) | relations_that<&RelationTraits::keeps_off>();
   const auto& relations = model_.scene->relations;
   const auto told = [&](const Relation& r) { return std::ranges::find(r.targets, model_.items[item].id) != r.targets.end(); };
   const auto at_wall = [&](const Relation& r) { return r.type == R::kAgainstWall && told(r); };
-  const auto elsewhere = [&](const Relation& r) { return told(r) && std::ranges::find(kOfWalls, r.type) == kOfWalls.end(); };
+  const auto elsewhere = [&](const Relation& r) { return told(r) && !of_walls.has(r.type); };
   return (model_.items[item].entry->back_to_wall || std::ranges::any_of(relations, at_wall)) && std::ranges::none_of(relations, elsewhere);
 }
 

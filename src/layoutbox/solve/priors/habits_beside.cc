@@ -69,7 +69,7 @@ std::vector<int> Habits::hosts_beside(int item) const {
 // The host that a relation says it stands by, not only looks at.
 std::optional<int> Habits::told_host(int item, const std::vector<int>& hosts) const {
   for (const int h : hosts) {
-    if (!related(item, h) || only_related_by(item, h, {RelationType::kBetween}) || only_turned_by(item, h)) continue;
+    if (!related(item, h) || only_related_by(item, h, RelationSet(RelationType::kBetween)) || only_turned_by(item, h)) continue;
     if (model_.items[item].is(Trait::kEasySeat) && model_.items[h].is(Trait::kCoffeeTable) && only_near(item, h)) continue;
     return h;
   }

@@ -33,11 +33,11 @@ bool Habits::stand_abreast_of(int item, int host, RelationType how) {
   const bool sided =
       window || (!ref.is_opening() && (ref.has_front || (seat && how == RelationType::kBehind)));  // a table's back is that of the room
   if (!sided || (seat && how == RelationType::kInFrontOf)) return false;
+  const RelationSet only(how, RelationType::kFacing, RelationType::kCenteredOn, across_from ? RelationType::kDistance : how);
   std::vector<int> peers;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     const int other = static_cast<int>(i);
-    if (model_.items[i].entry == self.entry && related_as_target(other, host, how) &&
-        only_related_by(other, host, {how, RelationType::kFacing, RelationType::kCenteredOn, across_from ? RelationType::kDistance : how}))
+    if (model_.items[i].entry == self.entry && related_as_target(other, host, how) && only_related_by(other, host, only))
       peers.push_back(other);
   }
   const auto k = std::find(peers.begin(), peers.end(), item) - peers.begin();
@@ -71,7 +71,7 @@ void Habits::stand_at_side(int item) {
     if (r.type != RelationType::kNextTo || r.references.size() != 1) continue;
     const int host = model_.find_item(r.references[0]);
     if (host >= 0 && self.is(Trait::kEasySeat) && !model_.items[host].is(Trait::kBed)) continue;
-    if (host < 0 || !related_as_target(item, host, r.type) || !only_related_by(item, host, {RelationType::kNextTo, RelationType::kNear}))
+    if (host < 0 || !related_as_target(item, host, r.type) || !only_related_by(item, host, relations_that<&RelationTraits::close_by>()))
       continue;
     const Item& ref = model_.items[host];
     const bool small = self.mount == Mount::kSurface && ref.mount == Mount::kSurface;

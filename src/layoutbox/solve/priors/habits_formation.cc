@@ -106,8 +106,7 @@ bool Habits::fits_islands(int item) const {
 // Does a relation say which way it looks?
 bool Habits::told_where_to_look(int item) const {
   return std::ranges::any_of(said_of(item), [&](const Relation* r) {
-    return (r->type == RelationType::kFacing || r->type == RelationType::kSameOrientation) &&
-           std::ranges::find(r->targets, model_.items[item].id) != r->targets.end();
+    return traits_of(r->type).looks && std::ranges::find(r->targets, model_.items[item].id) != r->targets.end();
   });
 }
 

@@ -167,13 +167,12 @@ void Habits::keep_hall_free(int item) {
 
 // A counter at a window is sat at, looking out: nobody serves there.
 bool Habits::is_window_bar(int item) const {
-  using R = RelationType;
   if (!model_.items[item].is(Trait::kCounter)) return false;
   return std::ranges::any_of(said_of(item), [&](const Relation* r) {
     if (std::ranges::find(r->targets, model_.items[item].id) == r->targets.end()) return false;
-    if (r->type == R::kUnderWindow || r->type == R::kNearWindow) return true;
+    if (r->type == RelationType::kUnderWindow || r->type == RelationType::kNearWindow) return true;
     const int other = r->references.size() == 1 ? model_.find_item(r->references[0]) : -1;
-    return (r->type == R::kNextTo || r->type == R::kNear) && other >= 0 && model_.items[other].is_opening() &&
+    return traits_of(r->type).close_by && other >= 0 && model_.items[other].is_opening() &&
            model_.items[other].opening->type == OpeningType::kWindow;
   });
 }

@@ -57,7 +57,7 @@ bool Habits::lies_free(int item, int host) const {
          !model_.items[item].is(Trait::kMouse) && std::ranges::none_of(model_.scene->relations, [&](const Relation& r) {
            if (std::ranges::find(r.targets, id) == r.targets.end()) return false;
            const RelationParameters& p = r.parameters;
-           return (r.type != RelationType::kOn && r.type != RelationType::kIn) || !p.part.empty() || p.edge || p.region;
+           return !traits_of(r.type).rests || !p.part.empty() || p.edge || p.region;
          });
 }
 

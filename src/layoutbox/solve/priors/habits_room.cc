@@ -13,9 +13,8 @@ constexpr int kWallFree = 400;  // points a metre
 
 // Do words say no more of where it stands than that it is across from a door, or so far from something?
 bool Habits::only_told_across(int item) const {
-  using R = RelationType;
   return std::ranges::none_of(model_.scene->relations, [&](const Relation& r) {
-    const bool leaves = r.type == R::kOpposite || r.type == R::kDistance || r.type == R::kFarFromDoor || r.type == R::kFacing;
+    const bool leaves = traits_of(r.type).keeps_off || r.type == RelationType::kFacing;
     return !leaves && std::ranges::find(r.targets, model_.items[item].id) != r.targets.end();
   });
 }

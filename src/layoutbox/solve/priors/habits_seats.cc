@@ -4,17 +4,11 @@
 #include "layoutbox/solve/priors/habits.h"
 
 namespace layoutbox::placement {
-namespace {
 
-// What says how things are turned, and not where they stand.
-constexpr std::initializer_list<RelationType> kLooks{RelationType::kFacing, RelationType::kParallel, RelationType::kSameOrientation};
-
-}  // namespace
-
-bool Habits::only_turned_by(int item, int host) const { return only_related_by(item, host, kLooks); }
+bool Habits::only_turned_by(int item, int host) const { return only_related_by(item, host, relations_that<&RelationTraits::turns>()); }
 
 bool Habits::only_near(int item, int host) const {
-  return only_related_by(item, host, {RelationType::kNear, RelationType::kFacing, RelationType::kParallel, RelationType::kSameOrientation});
+  return only_related_by(item, host, RelationSet(RelationType::kNear) | relations_that<&RelationTraits::turns>());
 }
 
 // Does one sit there on such a seat? Not on a chair at a children's table, nor at a coffee table, where nobody says so.
@@ -41,23 +35,21 @@ std::vector<int> Habits::usual_hosts(int item) const {
 // Do the relations between these two only say that it is by the host, so that it may stand where its kind usually does? "Near the desk"
 // a chair stands before it; "to the left of the bed" a nightstand stands beside the pillow.
 bool Habits::leaves_usual_place(int item, int host) const {
-  using R = RelationType;
   const Item& self = model_.items[item];
   if (self.is(Trait::kEasySeat) || model_.items[host].is_opening()) return false;
-  if (self.is(Trait::kTableSeat) || before_its_host(item))
-    return only_related_by(item, host, {R::kNear, R::kNextTo, R::kFacing, R::kParallel, R::kSameOrientation});
-  return only_related_by(item, host,
-                         {R::kNear, R::kNextTo, R::kLeftOf, R::kRightOf, R::kEachSideOf, R::kFacing, R::kParallel, R::kSameOrientation});
+  const RelationSet by_it = relations_that<&RelationTraits::close_by>() | relations_that<&RelationTraits::turns>();
+  if (self.is(Trait::kTableSeat) || before_its_host(item)) return only_related_by(item, host, by_it);
+  return only_related_by(item, host, by_it | relations_that<&RelationTraits::sideways>() | RelationSet(RelationType::kEachSideOf));
 }
 
 // What a relation leaves open between things that belong together: a chair stands close to its desk, a bench along the bed's foot.
 void Habits::come_near(int item, int host) {
   const Item &self = model_.items[item], &ref = model_.items[host];
   const bool at_desk = self.is(Trait::kTableSeat) && has_knee_room(ref) && ref.has_front && used_side(ref) == Side::kFront &&
-                       only_related_by(item, host, {RelationType::kInFrontOf, RelationType::kFacing, RelationType::kCenteredOn});
-  const bool at_foot = only_related_by(item, host, {RelationType::kAtFootOf, RelationType::kParallel});
-  const bool before =
-      before_its_host(item) && ref.has_front && only_related_by(item, host, {RelationType::kInFrontOf, RelationType::kCenteredOn});
+                       only_related_by(item, host, RelationSet(RelationType::kInFrontOf, RelationType::kFacing, RelationType::kCenteredOn));
+  const bool at_foot = only_related_by(item, host, RelationSet(RelationType::kAtFootOf, RelationType::kParallel));
+  const bool before = before_its_host(item) && ref.has_front &&
+                      only_related_by(item, host, RelationSet(RelationType::kInFrontOf, RelationType::kCenteredOn));
   if (!at_desk && !at_foot && !before) return;
   Formula f;
   for_each_turn(ref, [&](int turn, std::uint64_t states) {
@@ -83,15 +75,14 @@ void Habits::keep_nose_free(int item) {
   constexpr int kFree = 300;  // points a metre
   const Item& self = model_.items[item];
   if (!self.has_front || (!self.is(Trait::kSeat) && !self.is(Trait::kEasySeat))) return;
+  const RelationSet beside_it =
+      relations_that<&RelationTraits::close_by>() | relations_that<&RelationTraits::sideways>() | RelationSet(RelationType::kAtFootOf);
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     const int host = static_cast<int>(i);
     const Item& ref = model_.items[i];
     if (host == item || ref.is_opening() || ref.mount != Mount::kFloor || ref.thin || has_knee_room(ref)) continue;
     if (!ref.entry->back_to_wall || ref.is(Trait::kTable) || ref.is(Trait::kDeskLike) || ref.is(Trait::kCounter)) continue;
-    const bool beside =
-        std::ranges::any_of(std::initializer_list<RelationType>{RelationType::kNextTo, RelationType::kNear, RelationType::kLeftOf,
-                                                                RelationType::kRightOf, RelationType::kAtFootOf},
-                            [&](RelationType how) { return related_as_target(item, host, how) || related_as_target(host, item, how); });
+    const bool beside = related_by_any(item, host, beside_it);
     // … and the visitor by the window has the bed before them that such chairs look at.
     const bool faced =
         ref.is(Trait::kBed) && std::ranges::any_of(self.entry->faces, [&](const std::string& kind) { return model_.is_a(host, kind); });
@@ -160,7 +151,7 @@ bool Habits::told_short_side(int item, int host) const {
 
 // Several seats before a counter or a long desk share its width out. False: it is the only one.
 bool Habits::sit_in_row(int item, int host, RelationType how) {
-  const std::initializer_list<RelationType> in_front{how, RelationType::kFacing, RelationType::kCenteredOn};
+  const RelationSet in_front(how, RelationType::kFacing, RelationType::kCenteredOn);
   const bool along = how == RelationType::kAlongSide;
   if (!model_.items[item].is(Trait::kTableSeat) || (!along && !model_.items[host].has_front)) return false;
   std::vector<int> seats;

@@ -66,7 +66,7 @@ bool Habits::only_placed_before(int item, int other) const {
   using R = RelationType;
   return std::ranges::none_of(said_of(item), [&](const Relation* r) {
     if (std::ranges::find(r->targets, model_.items[item].id) == r->targets.end()) return false;
-    if (r->type == R::kFacing || r->type == R::kSameOrientation || r->type == R::kParallel) return false;
+    if (traits_of(r->type).turns) return false;
     const bool before = r->type == R::kInFrontOf || r->type == R::kNear || r->type == R::kCenteredOn;
     return !before || r->references.size() != 1 || r->references[0] != model_.items[other].id;
   });
