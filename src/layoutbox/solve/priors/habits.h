@@ -62,7 +62,8 @@ class Habits {
   std::optional<Spot> spot_on(int item, int host) const;
   static std::optional<Spot> spot_beside_screens(Mm length, Mm screens, Mm widest, std::int64_t before, std::int64_t all, bool at_back);
   Spot spot_of_screen(int item, int host) const;
-  int first_screen_like(int item, int host) const;
+  std::vector<int> screen_before(int item, int host) const;
+  void stand_at_back(Case& c, int item, int host, Direction back) const;
   bool lies_free(int item, int host) const;
   int seat_told_to_be_at(int host, int rank) const;
   bool is_sat_behind(int host) const;

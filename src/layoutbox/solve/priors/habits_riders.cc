@@ -21,7 +21,6 @@ void Habits::sit_on_host(int item) {
     if (support.kind != SupportOption::Kind::kItem) continue;
     const Item& host = model_.items[support.index];
     const std::optional<Spot> spot = screen ? spot_of_screen(item, support.index) : spot_on(item, support.index);
-    const int first = screen ? first_screen_like(item, support.index) : -1;
     const int user = self.is(Trait::kMonitor) ? seat_told_to_be_at(support.index, rank_of(item)) : -1;
     if (user >= 0) look_at_user(item, user);
     Formula f;
@@ -32,20 +31,15 @@ void Habits::sit_on_host(int item) {
       const bool towards_seat = for_staff || (screen && (used_side(host) == Side::kBack || is_sat_behind(support.index)));
       if (self.has_front && user < 0) c.when(item, self.states_at((turn + (towards_seat ? 180 : 0)) % 360));
       const Direction back = side_direction(host, Side::kBack, turn), right = side_direction(host, Side::kRight, turn);
-      const auto off = [&](Direction d, std::int64_t place2) {
-        return mid2(item, d.axis) - mid2(support.index, d.axis) - Linear(d.sign * place2);
-      };
-      if (spot) c.wish(off(right, spot->right2), screen ? 80 : kSpot, 2);
+      if (spot)
+        c.wish(mid2(item, right.axis) - mid2(support.index, right.axis) - Linear(right.sign * spot->right2), screen ? 80 : kSpot, 2);
       if (spot && spot->back2) {
-        c.wish(off(back, *spot->back2), kSpot, 2);
-      } else if (host.has_front && first >= 0 && first != item) {
-        c.wish(reach(item, back) - reach(first, back), kScreensInLine);
+        c.wish(mid2(item, back.axis) - mid2(support.index, back.axis) - Linear(back.sign * *spot->back2), kSpot, 2);
       } else if (host.has_front) {
-        c.wish(reach(item, back) - reach(support.index, back) + Linear(kFromBack), screen ? 100 : 25);
+        stand_at_back(c, item, support.index, back);
       }
     });
-    const bool in_line = first >= 0 && first != item;
-    if (!lie_at_hand(item, support.index)) habit("sits", item, kSits, std::move(f), in_line ? std::vector<int>{first} : std::vector<int>{});
+    if (!lie_at_hand(item, support.index)) habit("sits", item, kSits, std::move(f), screen_before(item, support.index));
     return;
   }
 }
@@ -132,12 +126,20 @@ Habits::Spot Habits::spot_of_screen(int item, int host) const {
   return {(2 * before - (screens - 1)) * pitch, {}};
 }
 
-// The first of its kind on that host; it may be the thing itself.
-int Habits::first_screen_like(int item, int host) const {
-  for (int i = 0; i < item; ++i) {
-    if (model_.items[i].entry == model_.items[item].entry && rests_on(i, host)) return i;
+// At the back of its host; of several screens the others in line with the first, wherever that is.
+void Habits::stand_at_back(Case& c, int item, int host, Direction back) const {
+  if (const std::vector<int> first = screen_before(item, host); !first.empty())
+    c.wish(reach(item, back) - reach(first.front(), back), kScreensInLine);
+  else
+    c.wish(reach(item, back) - reach(host, back) + Linear(kFromBack), model_.items[item].is(Trait::kScreen) ? 100 : 25);
+}
+
+// The first of its kind on that host, where a screen is not that itself; else none.
+std::vector<int> Habits::screen_before(int item, int host) const {
+  for (int i = 0; model_.items[item].is(Trait::kScreen) && i < item; ++i) {
+    if (model_.items[i].entry == model_.items[item].entry && rests_on(i, host)) return {i};
   }
-  return item;
+  return {};
 }
 
 bool Habits::rests_on(int item, int host) const {
