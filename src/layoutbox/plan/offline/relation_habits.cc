@@ -124,6 +124,15 @@ void RelationBuilder::add_front() {
   }
 }
 
+// Is a screen told to be in that part of the room?
+bool RelationBuilder::shows_in(RoomRegion region) const {
+  return std::ranges::any_of(scene_.relations, [&](const Relation& r) {
+    const SceneObject* screen = r.type == R::kInRegion && r.targets.size() == 1 ? object_of(r.targets[0]) : nullptr;
+    const CatalogEntry* entry = screen == nullptr ? nullptr : catalog_.find(screen->category);
+    return entry != nullptr && entry->is(Trait::kScreen) && r.parameters.region == region;
+  });
+}
+
 // "a bookcase at the back", "a wardrobe on the left of the room": what stands at walls stands at that one.
 void RelationBuilder::add_end_walls() {
   const std::size_t said = scene_.relations.size();
@@ -136,6 +145,9 @@ void RelationBuilder::add_end_walls() {
     const SceneObject* object = object_of(region.targets.front());
     const CatalogEntry* entry = object == nullptr ? nullptr : catalog_.find(object->category);
     if (entry == nullptr) continue;
+    // "sofa and TV on the right": the screen is at the wall, and the sofa looks at it.
+    const bool watches = (entry->is(Trait::kEasySeat) || entry->is(Trait::kCenterPiece)) && shows_in(*region.parameters.region);
+    if (watches) continue;
     const bool hangs = object->mount.value_or(entry->mount) == Mount::kWall || (entry->is(Trait::kScreen) && entry->is(Trait::kElseOnWall));
     // A kitchen's units go on to that end, and do not turn the corner there.
     const bool stands =

@@ -18,6 +18,15 @@ void RelationBuilder::hang_hoods() {
     const auto fire =
         std::ranges::find_if(scene_.objects, [&](const SceneObject& o) { return catalog_.entry_or_nearest(o.category).is(Trait::kHob); });
     const std::vector<std::size_t>& own = relations_of(hood.id);
+    // "the sink, then the stove with a hood above": over no sink and no fridge where there is a fire.
+    for (const std::size_t r : own) {
+      Relation& above = scene_.relations[r];
+      const bool alone = above.type == R::kAbove && above.references.size() == 1 && fire != scene_.objects.end();
+      const SceneObject* under = alone ? object_of(above.references[0]) : nullptr;
+      const CatalogEntry* unit = under == nullptr ? nullptr : catalog_.find(under->category);
+      if (unit != nullptr && unit->is(Trait::kKitchenRun) && !unit->is(Trait::kHob) && !unit->is(Trait::kCounter))
+        above.references = {fire->id};
+    }
     const bool placed = std::ranges::any_of(own, [&](std::size_t r) {
       const Relation& relation = scene_.relations[r];
       return relation.type != R::kNextTo && !relation.references.empty() && object_of(relation.references.front()) != nullptr;
