@@ -169,6 +169,7 @@ class RelationBuilder {
   bool shows_in(RoomRegion region) const;
   void add_end_walls();
   void hang_hoods();
+  void screen_from_door();
   void add_habit(RelationType type, std::vector<std::string> targets, std::vector<std::string> references, int weight, std::string why);
   void lay_beds_along();
   void share_nightstand();

@@ -257,6 +257,7 @@ void RelationBuilder::add_habits() {
   seat_at_placed_table();
   seat_at_only_table();
   seat_viewers();
+  screen_from_door();
   hang_mirrors_over_counters();
   const std::size_t said = scene_.relations.size();
   for (std::size_t r = 0; r < said; ++r) {

@@ -35,6 +35,20 @@ void RelationBuilder::hang_hoods() {
   }
 }
 
+// "a toilet behind a half wall": it is not seen from the door.
+void RelationBuilder::screen_from_door() {
+  const std::size_t said = scene_.relations.size();
+  for (std::size_t r = 0; r < said; ++r) {
+    const Relation behind = scene_.relations[r];
+    if (behind.type != R::kBehind || behind.targets.size() != 1 || behind.references.size() != 1) continue;
+    const SceneObject *thing = object_of(behind.targets[0]), *screen = object_of(behind.references[0]);
+    if (thing == nullptr || screen == nullptr || !catalog_.is_a(screen->category, "screen_divider")) continue;
+    if (!catalog_.entry_or_nearest(thing->category).back_to_wall) continue;
+    add_habit(R::kBetween, behind.references, {thing->id, "door"}, kTogether, "what is behind a screen is not seen from the door");
+    scene_.relations.back().origin = Origin::kConcluded;
+  }
+}
+
 // "two single beds on opposite walls": along them, not with their heads to them.
 void RelationBuilder::lay_beds_along() {
   constexpr Mm kForOne = 1200;
