@@ -166,6 +166,7 @@ class RelationBuilder {
   void share_out_over_run(const std::vector<std::string>& units);
   void settle_kitchen();
   void add_front();
+  void show_where_seated();
   bool shows_in(RoomRegion region) const;
   void add_end_walls();
   void hang_hoods();

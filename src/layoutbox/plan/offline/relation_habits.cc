@@ -124,17 +124,9 @@ void RelationBuilder::add_front() {
   }
 }
 
-// Is a screen told to be in that part of the room?
-bool RelationBuilder::shows_in(RoomRegion region) const {
-  return std::ranges::any_of(scene_.relations, [&](const Relation& r) {
-    const SceneObject* screen = r.type == R::kInRegion && r.targets.size() == 1 ? object_of(r.targets[0]) : nullptr;
-    const CatalogEntry* entry = screen == nullptr ? nullptr : catalog_.find(screen->category);
-    return entry != nullptr && entry->is(Trait::kScreen) && r.parameters.region == region;
-  });
-}
-
 // "a bookcase at the back", "a wardrobe on the left of the room": what stands at walls stands at that one.
 void RelationBuilder::add_end_walls() {
+  show_where_seated();
   const std::size_t said = scene_.relations.size();
   for (std::size_t r = 0; r < said; ++r) {
     const Relation region = scene_.relations[r];

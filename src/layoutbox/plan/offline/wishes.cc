@@ -8,6 +8,7 @@
 #include "layoutbox/catalog/size_words.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/english.h"
+#include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
 #include "layoutbox/plan/offline/people.h"
 #include "layoutbox/plan/offline/word_sets.h"
