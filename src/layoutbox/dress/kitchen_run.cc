@@ -13,6 +13,7 @@ namespace {
 constexpr double kWalk = 1000, kLeastWalk = 800;                  // free floor before a run, and where its form is said
 constexpr double kTall = 1200;                                    // a unit that ends a run
 constexpr double kNarrowest = 150, kOfUse = 300, kCabinet = 700;  // widths of cabinets: a pull-out, the least at an end, the usual
+constexpr double kChink = 10;                                     // what is wider between two units is filled
 constexpr double kInCorner = 350;                                 // what is narrower is part of the corner unit
 constexpr double kWidestGap = 2400;                               // between two units that become one run
 constexpr double kFormlessGap = 1200;                             // from a run to the corner where it meets the next wall's
@@ -100,10 +101,20 @@ class KitchenRun {
     }
   }
 
+  // A filler, that nobody stands before: no chink is left between two low units.
+  bool fill_in(const DressedWall& wall, Span gap) {
+    const double low = std::ceil(gap.low), high = std::floor(gap.high);
+    if (high - low < kChink || !dresser_.room().is_free(wall.box({low, high}, {0, double(size_.depth)}, {0, double(size_.height)}), true))
+      return false;
+    dresser_.add_at_wall("kitchen_corner_unit", row_.words, {static_cast<Mm>(high - low), size_.depth, size_.height}, wall, low, 0);
+    return true;
+  }
+
   void close_gaps(const DressedWall& wall) {
     const std::vector<KitchenUnit> units = units_at(dresser_, wall);
     for (std::size_t i = 0; i + 1 < units.size(); ++i) {
       const Span gap{units[i].span.high, units[i + 1].span.low};
+      if (gap.length() >= kChink && gap.length() < kOfUse && fill_in(wall, gap)) continue;
       if (gap.length() < kNarrowest || gap.length() > kWidestGap) continue;
       for (const Span& span : shared({gap}, free_at(wall))) place(wall, span);
     }

@@ -166,6 +166,9 @@ void RelationBuilder::add_content(const Link& link, const Mention& target, const
   if (mount_of(host) == Mount::kWall && mount == Mount::kFloor && target.items.size() == 1)
     return add(link, R::kAbove, {id(hosts.front())}, {id(target.items.front())});
   if (is_placed(target.items.front()) || (link.after_comma && !joined)) return;
+  // "a kitchen run with an island": before it, with an aisle between, as islands stand anyhow.
+  const bool island = thing.entry != nullptr && thing.entry->is(Trait::kOpenToRoom) && thing.entry->is(Trait::kCounter);
+  if (island && host.entry != nullptr && host.entry->is(Trait::kKitchenRun)) return;
   // "a rocking chair with a footstool": before it.
   if (sat_on && thing.entry != nullptr && thing.entry->is(Trait::kStandsBefore) && !is_table(catalog_, thing)) return each(R::kInFrontOf);
   if (target.items.size() == 2 && hosts.size() == 1 && mount == Mount::kFloor)

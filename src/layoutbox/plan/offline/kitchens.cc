@@ -2,10 +2,13 @@
 #include <algorithm>
 
 #include "layoutbox/catalog/dressing.h"
+#include "layoutbox/catalog/groups.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
+#include "layoutbox/plan/offline/wishes.h"
 #include "layoutbox/plan/spoken.h"
+#include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox::offline {
 
@@ -26,9 +29,18 @@ std::vector<std::string> RelationBuilder::units_of_run() const {
   return units;
 }
 
+// Its top is that of the worktop beside it.
+void RelationBuilder::build_in(std::size_t oven) {
+  constexpr Mm kWorktop = 900;
+  const NounPhrase& noun = noun_of_object(scene_.objects[oven]);
+  if (noun.size.any() || scene_.objects[oven].size || noun.entry == nullptr) return;
+  SizeRange size = noun.entry->size;
+  size.least.height = size.usual.height = size.greatest.height = kWorktop;
+  scene_.objects[oven].size = size;
+}
+
 // "an oven below the hob": it is built in there, as high as the worktop, and carries the hob.
 void RelationBuilder::build_in_ovens() {
-  constexpr Mm kWorktop = 900;
   for (std::size_t r = 0; r < scene_.relations.size(); ++r) {
     Relation& under = scene_.relations[r];
     if (under.type != R::kUnder || under.targets.size() != 1 || under.references.size() != 1 || !stands_in_run(under.targets[0])) continue;
@@ -39,12 +51,7 @@ void RelationBuilder::build_in_ovens() {
     under.type = R::kOn;
     of_target_[hob->id].push_back(r);
     std::erase(of_target_[under.references[0]], r);
-    const std::size_t oven = objects_.at(under.references[0]);
-    const NounPhrase& noun = noun_of_object(scene_.objects[oven]);
-    if (noun.size.any() || scene_.objects[oven].size || noun.entry == nullptr) continue;
-    SizeRange size = noun.entry->size;
-    size.least.height = size.usual.height = size.greatest.height = kWorktop;
-    scene_.objects[oven].size = size;
+    build_in(objects_.at(under.references[0]));
   }
 }
 
@@ -89,12 +96,82 @@ void RelationBuilder::share_out_over_run(const std::vector<std::string>& units) 
   }
 }
 
+// A hob by itself ("the hob on the back wall") is a stove, as it has to stand on something; beside an oven of which nothing is said it is
+// over that.
+void RelationBuilder::stand_hobs() {
+  const CatalogEntry* stove = catalog_.find("stove");
+  for (std::size_t i = 0; i < scene_.objects.size() && stove != nullptr; ++i) {
+    NounPhrase& noun = document_.items[i].noun;
+    if (noun.entry == nullptr || !noun.entry->is(Trait::kHob) || noun.entry->mount != Mount::kSurface) continue;
+    const std::vector<std::size_t> own = relations_of(id(static_cast<int>(i)));
+    const auto rests = [&](std::size_t r) { return scene_.relations[r].type == R::kOn || scene_.relations[r].type == R::kIn; };
+    const auto at_wall = [&](std::size_t r) {
+      return scene_.relations[r].type == R::kOnWall || traits_of(scene_.relations[r].type).back_to_wall;
+    };
+    const auto beside = [&](std::size_t r) {
+      const Relation& relation = scene_.relations[r];
+      return !relation.references.empty() && object_of(relation.references[0]) != nullptr;
+    };
+    if (std::ranges::any_of(own, rests)) continue;
+    const bool has_top = std::ranges::any_of(scene_.objects, [&](const SceneObject& object) {
+      const auto carries = [&](const std::string& kind) { return catalog_.is_a(object.category, kind); };
+      return std::ranges::any_of(noun.entry->stands_on, carries) && catalog_.entry_or_nearest(object.category).spaces.empty();
+    });
+    const auto is_free_oven = [&](const SceneObject& object) {
+      return object.category == "oven" && !object.size && relations_of(object.id).empty() && noun_of_object(object).attributes.empty();
+    };
+    const auto oven = std::ranges::find_if(scene_.objects, is_free_oven);
+    if (own.empty() && oven != scene_.objects.end()) {
+      build_in(objects_.at(oven->id));
+      of_target_[scene_.objects[i].id].push_back(scene_.relations.size());
+      add_habit(R::kOn, {scene_.objects[i].id}, {oven->id}, kTogether, "a hob is over its oven");
+      scene_.relations.back().hard = true;
+    } else if (std::ranges::any_of(own, at_wall) || (std::ranges::any_of(own, beside) && !has_top)) {
+      for (const std::size_t r : own) {
+        if (scene_.relations[r].type == R::kOnWall) scene_.relations[r].type = R::kAgainstWall;
+      }
+      noun.entry = stove;
+      scene_.objects[i].category = noun.category = stove->id;
+    }
+  }
+}
+
+// "an island with three stools": as high as one sits there.
+void RelationBuilder::raise_stools() {
+  for (const Relation& at : scene_.relations) {
+    if (at.references.size() != 1 || (!traits_of(at.type).around && at.type != R::kInFrontOf)) continue;
+    const SceneObject* host = object_of(at.references[0]);
+    const auto& seatings = Groups::builtin().seatings;
+    const auto row =
+        std::ranges::find_if(seatings, [&](const Seating& s) { return host != nullptr && catalog_.is_a(host->category, s.at); });
+    const CatalogEntry* high = row == seatings.end() ? nullptr : catalog_.find(row->seat);
+    for (const std::string& seat : at.targets) {
+      const auto object = std::ranges::find(scene_.objects, seat, &SceneObject::id);
+      if (high == nullptr || !high->id.ends_with("stool") || object == scene_.objects.end() || object->category != "stool") continue;
+      object->category = high->id;
+    }
+  }
+}
+
+// "Kitchen along the back wall: sink, stove, fridge": they are at that wall.
+void RelationBuilder::line_up_units(const std::vector<std::string>& units) {
+  const std::string wall = wall_of_kitchen(document_);
+  for (const std::string& unit : units) {
+    const auto at_walls = [&](std::size_t r) { return traits_of(scene_.relations[r].type).back_to_wall; };
+    if (!wall.empty() && std::ranges::none_of(relations_of(unit), at_walls))
+      add_habit(R::kAgainstWall, {unit}, {wall}, kTogether, "the kitchen is at that wall");
+  }
+}
+
 void RelationBuilder::settle_kitchen() {
   build_in_ovens();
+  stand_hobs();
+  raise_stools();
   const std::vector<std::string> units = units_of_run();
   if (units.size() < 2) return;
   for (Relation& relation : scene_.relations) place_in_run(relation, units);
   share_out_over_run(units);
+  line_up_units(units);
   for (const KitchenForm& form : Dressings::builtin().kitchen_forms) {
     if (form.form != "one wall" || !Spoken(scene_, {}, catalog_).says_any(form.words)) continue;
     for (std::size_t i = 1; i < units.size(); ++i)

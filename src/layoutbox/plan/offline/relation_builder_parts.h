@@ -157,13 +157,20 @@ class RelationBuilder {
   // A kitchen told by its units (kitchens.cc)
   bool stands_in_run(const std::string& object) const;
   std::vector<std::string> units_of_run() const;
+  void build_in(std::size_t oven);
   void build_in_ovens();
+  void stand_hobs();
+  void raise_stools();
+  void line_up_units(const std::vector<std::string>& units);
   void place_in_run(Relation& relation, const std::vector<std::string>& units);
   void share_out_over_run(const std::vector<std::string>& units);
   void settle_kitchen();
   void add_front();
+  void show_where_seated();
+  bool shows_in(RoomRegion region) const;
   void add_end_walls();
   void hang_hoods();
+  void screen_from_door();
   void add_habit(RelationType type, std::vector<std::string> targets, std::vector<std::string> references, int weight, std::string why);
   void lay_beds_along();
   void share_nightstand();

@@ -126,6 +126,7 @@ void RelationBuilder::add_front() {
 
 // "a bookcase at the back", "a wardrobe on the left of the room": what stands at walls stands at that one.
 void RelationBuilder::add_end_walls() {
+  show_where_seated();
   const std::size_t said = scene_.relations.size();
   for (std::size_t r = 0; r < said; ++r) {
     const Relation region = scene_.relations[r];
@@ -136,6 +137,9 @@ void RelationBuilder::add_end_walls() {
     const SceneObject* object = object_of(region.targets.front());
     const CatalogEntry* entry = object == nullptr ? nullptr : catalog_.find(object->category);
     if (entry == nullptr) continue;
+    // "sofa and TV on the right": the screen is at the wall, and the sofa looks at it.
+    const bool watches = (entry->is(Trait::kEasySeat) || entry->is(Trait::kCenterPiece)) && shows_in(*region.parameters.region);
+    if (watches) continue;
     const bool hangs = object->mount.value_or(entry->mount) == Mount::kWall || (entry->is(Trait::kScreen) && entry->is(Trait::kElseOnWall));
     // A kitchen's units go on to that end, and do not turn the corner there.
     const bool stands =
@@ -245,6 +249,7 @@ void RelationBuilder::add_habits() {
   seat_at_placed_table();
   seat_at_only_table();
   seat_viewers();
+  screen_from_door();
   hang_mirrors_over_counters();
   const std::size_t said = scene_.relations.size();
   for (std::size_t r = 0; r < said; ++r) {

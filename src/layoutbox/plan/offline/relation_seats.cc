@@ -26,27 +26,6 @@ void RelationBuilder::seat_those_who_wait() {
   }
 }
 
-// "TV on the left wall with a sofa and two armchairs": who watches it looks at that wall and has no back to it.
-void RelationBuilder::seat_viewers() {
-  for (Relation& at : scene_.relations) {
-    if (at.type != R::kAgainstWall || at.targets.size() != 1 || at.references.size() != 1) continue;
-    if (at.why.find("wall") != std::string::npos) continue;  // said of the seat itself
-    const SceneObject* seat = object_of(at.targets[0]);
-    const CatalogEntry* entry = seat == nullptr ? nullptr : noun_of_object(*seat).entry;
-    if (entry == nullptr || !(entry->is(Trait::kEasySeat) || entry->is(Trait::kCenterPiece))) continue;
-    const auto shows_there = [&](const Relation& r) {
-      const SceneObject* screen = r.type == R::kOnWall && r.references == at.references ? object_of(r.targets[0]) : nullptr;
-      const CatalogEntry* shown = screen == nullptr ? nullptr : noun_of_object(*screen).entry;
-      return shown != nullptr && shown->is(Trait::kScreen);
-    };
-    const auto shown = std::ranges::find_if(scene_.relations, shows_there);
-    if (shown == scene_.relations.end()) continue;
-    at.type = R::kFacing;
-    at.references = {shown->targets[0]};
-    at.hard = entry->is(Trait::kCenterPiece);  // the others may sit round the table
-  }
-}
-
 // Is nothing said of it but that it is by a door or window?
 bool RelationBuilder::is_only_by_opening(const std::string& object) const {
   return std::ranges::all_of(relations_of(object), [&](std::size_t r) {

@@ -18,11 +18,34 @@ void RelationBuilder::hang_hoods() {
     const auto fire =
         std::ranges::find_if(scene_.objects, [&](const SceneObject& o) { return catalog_.entry_or_nearest(o.category).is(Trait::kHob); });
     const std::vector<std::size_t>& own = relations_of(hood.id);
+    // "the sink, then the stove with a hood above": over no sink and no fridge where there is a fire.
+    for (const std::size_t r : own) {
+      Relation& above = scene_.relations[r];
+      const bool alone = above.type == R::kAbove && above.references.size() == 1 && fire != scene_.objects.end();
+      const SceneObject* under = alone ? object_of(above.references[0]) : nullptr;
+      const CatalogEntry* unit = under == nullptr ? nullptr : catalog_.find(under->category);
+      if (unit != nullptr && unit->is(Trait::kKitchenRun) && !unit->is(Trait::kHob) && !unit->is(Trait::kCounter))
+        above.references = {fire->id};
+    }
     const bool placed = std::ranges::any_of(own, [&](std::size_t r) {
       const Relation& relation = scene_.relations[r];
       return relation.type != R::kNextTo && !relation.references.empty() && object_of(relation.references.front()) != nullptr;
     });
     if (fire != scene_.objects.end() && !placed) add_habit(R::kAbove, {hood.id}, {fire->id}, 100, "a hood hangs over the fire");
+  }
+}
+
+// "a toilet behind a half wall": it is not seen from the door.
+void RelationBuilder::screen_from_door() {
+  const std::size_t said = scene_.relations.size();
+  for (std::size_t r = 0; r < said; ++r) {
+    const Relation behind = scene_.relations[r];
+    if (behind.type != R::kBehind || behind.targets.size() != 1 || behind.references.size() != 1) continue;
+    const SceneObject *thing = object_of(behind.targets[0]), *screen = object_of(behind.references[0]);
+    if (thing == nullptr || screen == nullptr || !catalog_.is_a(screen->category, "screen_divider")) continue;
+    if (!catalog_.entry_or_nearest(thing->category).back_to_wall) continue;
+    add_habit(R::kBetween, behind.references, {thing->id, "door"}, kTogether, "what is behind a screen is not seen from the door");
+    scene_.relations.back().origin = Origin::kConcluded;
   }
 }
 

@@ -144,7 +144,10 @@ void set_kind(const Document& document, SceneGraph& scene) {
 void set_size(const Document& document, const RoomSize& size, SceneGraph& scene) {
   Room& room = scene.room;
   if (size.width > 0 && size.depth > 0) {
-    const Mm w = mm_from_m(size.width), d = mm_from_m(size.depth);
+    Mm w = mm_from_m(size.width), d = mm_from_m(size.depth);
+    // "long and narrow, 4.5 x 2.2 m": one comes in at a narrow end, and its long sides are the left and the right one.
+    const bool by_sides = std::ranges::any_of(document.tokens, [](const Token& t) { return t.text == "left" || t.text == "right"; });
+    if (room.shape == "long" && !document.niche && by_sides && w > d) std::swap(w, d);
     room.polygon = document.niche ? outline_with_niche(w, d, *document.niche) : room_outline(room.shape, w, d);
   } else if (size.area > 0) {
     room.area_m2 = size.area;

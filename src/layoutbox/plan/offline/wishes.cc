@@ -9,6 +9,7 @@
 #include "layoutbox/catalog/size_words.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/english.h"
+#include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
 #include "layoutbox/plan/offline/people.h"
 #include "layoutbox/plan/offline/word_sets.h"
@@ -268,20 +269,6 @@ std::string kind_by_contents(const Lexicon& lexicon, const Document& document, c
   return row == rows.end() ? std::string() : row->room;
 }
 
-// "with a kitchen along the right wall", "… on the left": the wall, or empty.
-std::string wall_of_kitchen(const Document& document) {
-  const std::vector<Chunk>& chunks = document.chunks;
-  for (std::size_t k = 0; k + 2 < chunks.size(); ++k) {
-    const NounPhrase& room = chunks[k].noun;
-    if (chunks[k].kind != ChunkKind::kNoun || room.room == nullptr || room.room->id != "kitchen") continue;
-    std::size_t n = k + 1;
-    while (n < chunks.size() && (chunks[n].kind == ChunkKind::kIgnored || chunks[n].kind == ChunkKind::kVerb)) ++n;
-    if (n + 1 >= chunks.size() || chunks[n].kind != ChunkKind::kRelation || chunks[n + 1].kind != ChunkKind::kNoun) continue;
-    if (chunks[n + 1].noun.kind == NounKind::kWall) return chunks[n + 1].noun.wall_word;
-  }
-  return {};
-}
-
 // The kitchen that came with the room, from object `first` on, stands at the wall that it is said to be at.
 void place_kitchen(const Lexicon& lexicon, const Document& document, SceneGraph& scene, std::size_t first) {
   const std::string wall = wall_of_kitchen(document);
@@ -301,6 +288,23 @@ void place_kitchen(const Lexicon& lexicon, const Document& document, SceneGraph&
 }
 
 }  // namespace
+
+std::string wall_of_kitchen(const Document& document) {
+  const std::vector<Chunk>& chunks = document.chunks;
+  for (std::size_t k = 0; k + 2 < chunks.size(); ++k) {
+    const NounPhrase& room = chunks[k].noun;
+    if (chunks[k].kind != ChunkKind::kNoun || room.room == nullptr || room.room->id != "kitchen") continue;
+    std::size_t n = k + 1;
+    while (n < chunks.size() && (chunks[n].kind == ChunkKind::kIgnored || chunks[n].kind == ChunkKind::kVerb)) ++n;
+    if (n + 1 >= chunks.size() || chunks[n].kind != ChunkKind::kRelation) continue;
+    const std::string& side = document.tokens[chunks[n].last - (document.tokens[chunks[n].last - 1].text == "side" ? 2 : 1)].text;
+    if (one_of(side, {"left", "right"})) return side;
+    if (side == "end" && chunks[n].phrase.one) return "left";  // "the kitchen is at one end"
+    if (chunks[n + 1].kind != ChunkKind::kNoun) continue;
+    if (chunks[n + 1].noun.kind == NounKind::kWall) return chunks[n + 1].noun.wall_word;
+  }
+  return {};
+}
 
 void name_room_by_contents(const Lexicon& lexicon, const Document& document, SceneGraph& scene) {
   const bool named = std::ranges::any_of(document.rooms, [](const NounPhrase& room) { return room.kind == NounKind::kRoom && room.room; });
@@ -325,7 +329,12 @@ void furnish_by_wish(const Lexicon& lexicon, const Document& document, SceneGrap
     const bool known = room.determiner != Determiner::kNone && room.determiner != Determiner::kIndefinite;  // "tea is in the kitchen"
     return room.room != nullptr && room.room->id == "kitchen" && !known;
   });
-  if (!kitchen || scene.room.type == "kitchen") return;
+  const bool has_run = std::ranges::any_of(scene.objects, [&](const SceneObject& object) {
+    const CatalogEntry* entry = lexicon.catalog().find(object.category);
+    return entry != nullptr && entry->is(Trait::kKitchenRun);
+  });
+  const bool a_part = document.rooms.size() > 1 && !has_run && !wall_of_kitchen(document).empty();
+  if (!kitchen || (scene.room.type == "kitchen" && !a_part)) return;
   const std::size_t named = scene.objects.size();
   Furnisher(lexicon, document, scene).add_part("kitchen");
   place_kitchen(lexicon, document, scene, named);

@@ -14,7 +14,7 @@ namespace layoutbox::offline {
 namespace {
 
 using Element = WordingElement;
-using Class = Element::Class;
+using ElementClass = Element::Class;
 using Look = Element::Look;
 
 std::vector<std::string_view> parted(std::string_view text, char by) {
@@ -34,22 +34,22 @@ std::vector<std::string_view> texts_of(WordList row, std::string_view key) {
   return texts;
 }
 
-Class class_of(std::string_view name) {
-  constexpr std::array<std::pair<std::string_view, Class>, 13> kClasses = {{{"article", Class::kArticle},
-                                                                            {"number", Class::kNumber},
-                                                                            {"definite", Class::kDefinite},
-                                                                            {"object", Class::kObject},
-                                                                            {"room", Class::kRoom},
-                                                                            {"window", Class::kWindow},
-                                                                            {"unit", Class::kUnit},
-                                                                            {"person", Class::kPerson},
-                                                                            {"screen", Class::kScreen},
-                                                                            {"word", Class::kWord},
-                                                                            {"plain", Class::kPlain},
-                                                                            {"begin", Class::kBegin},
-                                                                            {"end", Class::kEnd}}};
-  const auto* found = std::ranges::find(kClasses, name, &std::pair<std::string_view, Class>::first);
-  return found == kClasses.end() ? Class::kNone : found->second;
+ElementClass class_of(std::string_view name) {
+  constexpr std::array<std::pair<std::string_view, ElementClass>, 13> kClasses = {{{"article", ElementClass::kArticle},
+                                                                                   {"number", ElementClass::kNumber},
+                                                                                   {"definite", ElementClass::kDefinite},
+                                                                                   {"object", ElementClass::kObject},
+                                                                                   {"room", ElementClass::kRoom},
+                                                                                   {"window", ElementClass::kWindow},
+                                                                                   {"unit", ElementClass::kUnit},
+                                                                                   {"person", ElementClass::kPerson},
+                                                                                   {"screen", ElementClass::kScreen},
+                                                                                   {"word", ElementClass::kWord},
+                                                                                   {"plain", ElementClass::kPlain},
+                                                                                   {"begin", ElementClass::kBegin},
+                                                                                   {"end", ElementClass::kEnd}}};
+  const auto* found = std::ranges::find(kClasses, name, &std::pair<std::string_view, ElementClass>::first);
+  return found == kClasses.end() ? ElementClass::kNone : found->second;
 }
 
 bool taken_off(std::string_view& text, std::string_view prefix) {
@@ -156,8 +156,8 @@ class TableReader : public TokenReader {
       ends_[e] = at;
       return holds(says, e + 1, at);
     }
-    if (element.kind == Class::kBegin || element.kind == Class::kEnd) {
-      if (element.kind == Class::kBegin ? !begins(at) : !ends(at)) return false;
+    if (element.kind == ElementClass::kBegin || element.kind == ElementClass::kEnd) {
+      if (element.kind == ElementClass::kBegin ? !begins(at) : !ends(at)) return false;
       ends_[e] = at;
       return holds(says, e + 1, at);
     }
@@ -176,19 +176,19 @@ class TableReader : public TokenReader {
   // The tokens that one of `element` takes there; 0: it does not stand there.
   std::size_t length(const Element& element, std::size_t at) const {
     if (at >= tokens_.size()) return 0;
-    if (element.kind == Class::kNone) return std::ranges::find(element.words, tokens_[at].text) != element.words.end() ? 1 : 0;
+    if (element.kind == ElementClass::kNone) return std::ranges::find(element.words, tokens_[at].text) != element.words.end() ? 1 : 0;
     if (ends(at)) return 0;
     switch (element.kind) {
-      case Class::kArticle: return is_article(at) ? 1 : 0;
-      case Class::kDefinite: return lexicon_.is(tokens_[at], WordClass::kDefinite) ? 1 : 0;
-      case Class::kNumber: return read_number(lexicon_, tokens_, at).length;
-      case Class::kObject: return lexicon_.find(tokens_, at, WordClass::kObject).length;
-      case Class::kRoom: return is(at, {"room"}) ? 1 : lexicon_.find(tokens_, at, WordClass::kRoom).length;
-      case Class::kWindow: return lexicon_.find(tokens_, at, WordClass::kWindow).length;
-      case Class::kUnit: return lexicon_.find(tokens_, at, WordClass::kUnit).length;
-      case Class::kPerson: return lexicon_.is_person(singular_of(tokens_[at].text)) ? 1 : 0;
-      case Class::kPlain: return lexicon_.find(tokens_, at, WordClass::kObject).length == 0 ? 1 : 0;
-      case Class::kScreen: return is_screen(at) ? 1 : 0;
+      case ElementClass::kArticle: return is_article(at) ? 1 : 0;
+      case ElementClass::kDefinite: return lexicon_.is(tokens_[at], WordClass::kDefinite) ? 1 : 0;
+      case ElementClass::kNumber: return read_number(lexicon_, tokens_, at).length;
+      case ElementClass::kObject: return lexicon_.find(tokens_, at, WordClass::kObject).length;
+      case ElementClass::kRoom: return is(at, {"room"}) ? 1 : lexicon_.find(tokens_, at, WordClass::kRoom).length;
+      case ElementClass::kWindow: return lexicon_.find(tokens_, at, WordClass::kWindow).length;
+      case ElementClass::kUnit: return lexicon_.find(tokens_, at, WordClass::kUnit).length;
+      case ElementClass::kPerson: return lexicon_.is_person(singular_of(tokens_[at].text)) ? 1 : 0;
+      case ElementClass::kPlain: return lexicon_.find(tokens_, at, WordClass::kObject).length == 0 ? 1 : 0;
+      case ElementClass::kScreen: return is_screen(at) ? 1 : 0;
       default: return 1;
     }
   }

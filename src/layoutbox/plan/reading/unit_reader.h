@@ -135,6 +135,7 @@ class UnitReader {
   const PhraseSenses* end_of_room(std::size_t k) const;
   bool is_side_of_room(std::size_t k) const;
   std::string run_side_of_room(std::size_t k) const;
+  bool tells_of_room_end(std::size_t k) const;
   bool is_great_table(std::size_t thing) const;
   bool is_large_by_itself(std::size_t thing) const;
   bool is_one_not_wanted(std::size_t k) const;

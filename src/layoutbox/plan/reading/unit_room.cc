@@ -106,6 +106,9 @@ const PhraseSenses* UnitReader::end_of_room(std::size_t k) const {
   const bool end = place.last == place.first + 3 && tokens[place.first].text == "at" && tokens[place.first + 1].text == "the";
   if (!other && !end && !place.phrase.one) return nullptr;
   std::size_t thing = previous(k);
+  // "the kitchen is at one end …, and at the other end a sofa"
+  const bool fronted = is(thing, ChunkKind::kComma) || is(thing, ChunkKind::kAnd) || is(thing, ChunkKind::kStop);
+  if (other && fronted && tells_of_room_end(k)) return &kOther;
   if (is(thing, ChunkKind::kNoun) && is(previous(thing), ChunkKind::kPurpose)) thing = previous(previous(thing));  // "a table for six at …"
   if (!is(thing, ChunkKind::kNoun) || chunk(thing).noun.kind != NounKind::kObject) return nullptr;
   thing = carrier_of(thing);
@@ -114,6 +117,17 @@ const PhraseSenses* UnitReader::end_of_room(std::size_t k) const {
   const bool board = entry != nullptr && entry->is(Trait::kScreen) && (entry->mount == Mount::kWall || entry->is(Trait::kElseOnWall));
   const bool stands = mount_of(chunk(thing).noun) == Mount::kFloor && !is_seat(lexicon_.catalog(), chunk(thing).noun);
   return !board && !stands ? nullptr : other ? &kOther : end ? &kFar : &kOne;
+}
+
+// Is a part of the room told to be at one end before?
+bool UnitReader::tells_of_room_end(std::size_t k) const {
+  for (std::size_t c = k > kFarthestBack ? k - kFarthestBack : 0; c < k; ++c) {
+    if (!is(c, ChunkKind::kRelation) || !chunk(c).phrase.one || document_.tokens[chunk(c).last - 1].text != "end") continue;
+    std::size_t part = previous(c);
+    if (is(part, ChunkKind::kVerb)) part = previous(part);
+    if (is(part, ChunkKind::kNoun) && chunk(part).noun.kind == NounKind::kRoom) return true;
+  }
+  return false;
 }
 
 // "…, and shoji screens on one side": of the room, where what is listed stands by itself and goes with nothing, and no other side follows.

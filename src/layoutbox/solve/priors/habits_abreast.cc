@@ -6,8 +6,8 @@
 namespace layoutbox::placement {
 namespace {
 
-constexpr Mm kTwinAir = 60;                // between twins besides what stands there
-constexpr int kInRun = 250, kTwins = 300;  // points a metre
+constexpr Mm kTwinAir = 60;                              // between twins besides what stands there
+constexpr int kInRun = 250, kTwins = 300, kOfRun = 450;  // points a metre
 
 }  // namespace
 
@@ -60,7 +60,7 @@ void Habits::stand_in_run(int item) {
     if (!only_related_by(item, other, beside_it)) return;
     for (const Side side : {Side::kLeft, Side::kRight}) add_beside(f, model_, item, other, side, {.most = 60});
   }
-  if (!f.cases.empty()) habit("in the run", item, kInRun, std::move(f));
+  if (!f.cases.empty()) habit("in the run", item, kOfRun, std::move(f));
   keep_tall_off_worked_at(item);
 }
 
@@ -89,7 +89,7 @@ void Habits::keep_tall_off_worked_at(int item) {
 // An island stands along the run, its front away from it, an aisle between. False: there is no run, or words say where it is.
 bool Habits::stand_along_run(int item) {
   constexpr Mm kBeforeRun = 1100;
-  constexpr int kAlong = 300;
+  constexpr int kAlong = 300, kAisle = 150;
   if (placed_besides_facing(item)) return false;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     const int unit = static_cast<int>(i);
@@ -100,7 +100,10 @@ bool Habits::stand_along_run(int item) {
       if (turn % 90 != 0) return;
       const std::uint64_t alike = model_.items[item].states_at(turn);
       const Direction front = side_direction(run, Side::kFront, turn);
-      if (alike) f.add().when(unit, states).when(item, alike).wish(gap_towards(item, unit, front) - Linear(kBeforeRun), kMiddle);
+      if (!alike) return;
+      Case& c = f.add().when(unit, states).when(item, alike);
+      c.wish(gap_towards(item, unit, front) - Linear(kBeforeRun), kAisle);
+      c.wish(mid2(item, across(front)) - mid2(unit, across(front)), kMiddle, 2);
     });
     if (f.cases.empty()) return false;
     habit("along the run", item, kAlong, std::move(f));
