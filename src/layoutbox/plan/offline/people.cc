@@ -9,6 +9,7 @@
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
 #include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/offline/splice.h"
 #include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
@@ -113,6 +114,10 @@ class PeopleReader {
 
   bool at_table(int seat, const Mention& table) const {
     return is_placed_by(seat, [&](const Mention& other) { return other.items == table.items; });
+  }
+
+  bool stands_at_counter(int seat) const {
+    return is_placed_by(seat, [](const Mention& other) { return other.noun.entry != nullptr && other.noun.entry->is(Trait::kCounter); });
   }
 
   bool counter_named() const {
@@ -269,9 +274,28 @@ class PeopleReader {
     return -1;
   }
 
+  // "a restaurant for 30, tables for two and four": so many of each that all have a place; whether several kinds are named.
+  bool share_tables(int people) {
+    std::vector<int> kinds;
+    int seats = 0;
+    for (std::size_t m = 0; m < document_.mentions.size(); ++m) {
+      const Mention& table = document_.mentions[m];
+      const NounPhrase& noun = table.noun;
+      if (!table.introduces || noun.kind != NounKind::kObject || noun.entry == nullptr || !is_table(catalog_, noun)) continue;
+      if (!noun.plural || noun.count > 0 || seats_said(table) == 0) continue;
+      kinds.push_back(static_cast<int>(m));
+      seats += seats_said(table);
+    }
+    if (kinds.size() < 2) return false;
+    for (const int kind : kinds) grow(kind, std::max(1, people / seats));
+    share_contents(kinds);
+    return true;
+  }
+
   // "to seat eight: a table, chairs": as many as people; whether any are named.
   bool grow_seats(const Lexicon::Set& needs, int people) {
     const int seats = needs.size() > 1 ? named(*needs[1].first) : -1;
+    if (seats >= 0 && one_of(mention(seats).noun.head, WordSet::kStools) && stands_at_counter(seats)) return false;
     if (seats >= 0 && mention(seats).noun.plural && mention(seats).noun.count == 0) grow(seats, people);
     return seats >= 0;
   }
@@ -293,6 +317,22 @@ class PeopleReader {
     }
   }
 
+  // "tables for two and four with tablecloths": each of them has one.
+  void share_contents(const std::vector<int>& hosts) {
+    int all = 0;
+    for (const int host : hosts) all += static_cast<int>(mention(host).items.size());
+    for (Link& link : document_.links) {
+      if (link.kind != Link::Kind::kHave || !contains(link.references, hosts.back())) continue;
+      for (const int m : link.targets) {
+        const NounPhrase& noun = mention(m).noun;
+        const bool carried = noun.kind == NounKind::kObject && mount_of(noun) == Mount::kSurface;
+        if (!carried || !noun.plural || noun.count > 0) continue;
+        grow(m, all);
+        link.references = hosts;
+      }
+    }
+  }
+
   void become(int m, const CatalogEntry& entry) {
     const auto to_entry = [&](NounPhrase& noun) { noun.entry = &entry, noun.category = entry.id; };
     to_entry(mention(m).noun);
@@ -309,6 +349,7 @@ class PeopleReader {
     const auto& [main, persons] = needs->front();
     const bool seats_follow = needs->size() > 1;
     const int people = std::min(document_.people, kMostPeople);
+    if (share_tables(people)) return;
     int host = named(*main);
     // "an office for twelve with plants between the desks": twelve of them.
     const bool rows = host >= 0 && mention(host).noun.rows > 0 && mention(host).noun.vague;
@@ -352,9 +393,31 @@ bool names_thing(const Lexicon& lexicon, const std::vector<Token>& tokens, std::
   return at < tokens.size() && lexicon.find(tokens, at, Class::kObject).length > 0;
 }
 
+// "tables for two and four": "tables for two and tables for four".
+void part_tables(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
+  const std::vector<Token>& tokens = document.tokens;
+  std::vector<Splice> splices;
+  const auto number = [&](std::size_t i) {
+    return i < tokens.size() && (tokens[i].kind == Token::Kind::kNumber || lexicon.is(tokens[i], Class::kNumber));
+  };
+  for (std::size_t i = 0; i + 4 < tokens.size(); ++i) {
+    if (tokens[i].text != "tables" || tokens[i + 1].text != "for" || !number(i + 2) || !is_word(tokens[i + 3], {"and", "or"}) ||
+        !number(i + 4))
+      continue;
+    const std::size_t after = i + 5;
+    const bool thing = after < tokens.size() && !tokens[i + 4].ends_sentence &&
+                       (lexicon.find(tokens, after, Class::kObject).length > 0 || lexicon.find(tokens, after, Class::kUnit).length > 0);
+    if (thing) continue;  // "tables for two and four chairs"
+    splices.push_back({i + 4, tokens[i]});
+    splices.push_back({i + 4, tokens[i + 1]});
+  }
+  splice(document, skip, std::move(splices));
+}
+
 }  // namespace
 
 void read_seats_said(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
+  part_tables(lexicon, document, skip);
   std::vector<Token>& tokens = document.tokens;
   const auto drop = [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {

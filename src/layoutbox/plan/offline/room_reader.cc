@@ -141,8 +141,11 @@ void set_kind(const Document& document, SceneGraph& scene) {
   }
 }
 
-void set_size(const Document& document, const RoomSize& size, SceneGraph& scene) {
+void set_size(const Document& document, RoomSize size, SceneGraph& scene) {
   Room& room = scene.room;
+  // "circular, about 6 metres across": one side says the other
+  const bool even = room.shape == "round" || room.shape == "square";
+  if (even && (size.width == 0 || size.depth == 0)) size.width = size.depth = std::max(size.width, size.depth);
   if (size.width > 0 && size.depth > 0) {
     const Mm w = mm_from_m(size.width), d = mm_from_m(size.depth);
     room.polygon = document.niche ? outline_with_niche(w, d, *document.niche) : room_outline(room.shape, w, d);
