@@ -219,10 +219,14 @@ class SenseChooser {
     return std::nullopt;
   }
 
-  // "books spill over the table": what does not hang lies on it.
+  // "books spill over the table", "a kettle over the hearth", "a reagent shelf over the bench": what does not hang is on it.
   bool lies_over() const {
-    return mount_of(target_) == Mount::kSurface && reference_.kind == NounKind::kObject && !is_lamp(catalog_, target_) &&
-           one_of(target_.head, WordSet::kLaidThings) && may_carry(catalog_, reference_, target_);
+    if (mount_of(target_) != Mount::kSurface || reference_.kind != NounKind::kObject || is_lamp(catalog_, target_)) return false;
+    const bool cooks = reference_.entry != nullptr && reference_.entry->is(Trait::kFire) && reference_.entry->shape.family != "fireplace";
+    const auto is_usual = [&](const std::string& kind) { return reference_.entry != nullptr && catalog_.is_a(reference_.entry->id, kind); };
+    const bool shelf =
+        target_.entry != nullptr && target_.entry->is(Trait::kShelving) && std::ranges::any_of(target_.entry->stands_on, is_usual);
+    return (cooks || shelf || one_of(target_.head, WordSet::kLaidThings)) && may_carry(catalog_, reference_, target_);
   }
 
   // A lamp is over the table, a cloth on it; "at the end of the table" and "at the end of the bed" are two things.
