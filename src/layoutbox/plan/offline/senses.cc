@@ -223,7 +223,9 @@ class SenseChooser {
   bool lies_over() const {
     if (mount_of(target_) != Mount::kSurface || reference_.kind != NounKind::kObject || is_lamp(catalog_, target_)) return false;
     const bool cooks = reference_.entry != nullptr && reference_.entry->is(Trait::kFire) && reference_.entry->shape.family != "fireplace";
-    const auto is_usual = [&](const std::string& kind) { return reference_.entry != nullptr && catalog_.is_a(reference_.entry->id, kind); };
+    const auto is_usual = [&](const std::string& kind) {
+      return reference_.entry != nullptr && !reference_.entry->is(Trait::kHob) && catalog_.is_a(reference_.entry->id, kind);
+    };
     const bool shelf =
         target_.entry != nullptr && target_.entry->is(Trait::kShelving) && std::ranges::any_of(target_.entry->stands_on, is_usual);
     return (cooks || shelf || one_of(target_.head, WordSet::kLaidThings)) && may_carry(catalog_, reference_, target_);
