@@ -46,6 +46,7 @@ class PeopleReader {
     if (document_.people > 0) add_for_room();
     for (std::size_t m = 0; m < said; ++m) seat_table(static_cast<int>(m));
     for (std::size_t m = 0; m < said; ++m) share_seats(static_cast<int>(m));
+    for (std::size_t m = 0; m < said; ++m) share_companions(static_cast<int>(m));
     for (const Link& link : document_.links) share_stands(link);
   }
 
@@ -228,6 +229,22 @@ class PeopleReader {
         tables = static_cast<int>(table.items.size()), places = 1;
     }
     if (tables > 0 && static_cast<int>(mention(m).items.size()) < tables * places) grow(m, tables * places);
+  }
+
+  // "three chairs and mirrors" of a salon: one for each, where such things have one each.
+  void share_companions(int m) {
+    const NounPhrase noun = mention(m).noun;
+    if (!mention(m).introduces || noun.kind != NounKind::kObject || noun.entry == nullptr || !noun.plural || noun.count != 0) return;
+    if (mention(m).items.empty() || noun.first == 0) return;
+    const auto before = std::ranges::find_if(document_.mentions, [&](const Mention& other) {
+      return other.introduces && other.noun.kind == NounKind::kObject && other.noun.entry != nullptr && other.noun.last + 1 == noun.first;
+    });
+    const bool joined = before != document_.mentions.end() && is_word(document_.tokens[noun.first - 1], {"and", "with", "&"});
+    if (!joined || before->items.size() <= mention(m).items.size()) return;
+    const auto goes_with = [&](const Companion& row) {
+      return row.each == 1 && catalog_.is_a(before->noun.entry->id, row.of) && catalog_.is_a(noun.entry->id, row.adds);
+    };
+    if (std::ranges::any_of(Groups::builtin().companions, goes_with)) grow(m, static_cast<int>(before->items.size()));
   }
 
   // "three cameras on tripods": one for each, where one of them takes no more.

@@ -132,7 +132,12 @@ void set_kind(const Document& document, SceneGraph& scene) {
   }
   // "Our basement should become a cinema": what it is to be, not where it is.
   const auto where = [](const std::string& type) { return type == "basement" || type == "attic" || type == "garage"; };
-  if (types.size() > 1 && where(types.front())) std::rotate(types.begin(), types.begin() + 1, types.end());
+  const bool has_own = !types.empty() && std::ranges::any_of(document.items, [&](const TextItem& item) {
+    const CatalogEntry* entry = item.noun.entry;
+    return entry != nullptr && !entry->rooms.empty() && entry->rooms.front() == types.front();
+  });
+  // ("a garage with a car in it and my workshop" is still a garage)
+  if (types.size() > 1 && where(types.front()) && !has_own) std::rotate(types.begin(), types.begin() + 1, types.end());
   if (!types.empty()) room.type = types.front();
   if (types.size() > 1) {
     std::string all;
