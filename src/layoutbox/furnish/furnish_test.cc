@@ -206,6 +206,14 @@ TEST(Furnish, WickerAndRustAreSeen) {
   for (const char* kind : {"bed", "cabinet"}) EXPECT_TRUE(uses(kind, "rusty", "rusty_metal")) << kind;
 }
 
+// "a fridge with a glass door": only its door is of glass.
+TEST(Furnish, AFridgeWithAGlassDoorIsNotSeenThrough) {
+  PlacedObject fridge = object_of("display_fridge");
+  const std::size_t plain = furnished(fridge).surfaces.size();
+  fridge.attributes = {"glass"};
+  EXPECT_EQ(furnished(fridge).surfaces.size(), plain);
+}
+
 // An overturned chair fills the box of one that lies on its side.
 TEST(Furnish, WhatWasKnockedOverLies) {
   for (const char* kind : {"chair", "table", "floor_lamp"}) {

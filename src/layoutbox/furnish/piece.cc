@@ -177,6 +177,10 @@ Surface Piece::asked(std::string_view usual, bool with_color) const {
 }
 
 int Piece::main(std::string_view usual) { return palette_.add(asked(usual, true)); }
+int Piece::solid_main(std::string_view usual) {
+  const Surface surface = asked(usual, true);
+  return surface.alpha < 1 ? named(usual) : palette_.add(surface);
+}
 int Piece::frame(std::string_view usual) { return palette_.add(asked(usual, false)); }
 
 bool Piece::is_style(std::string_view style) const { return decor_.style == style; }

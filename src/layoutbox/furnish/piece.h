@@ -58,6 +58,8 @@ class Piece {
   // Surfaces. main: takes the asked colour and material; frame: only an asked material; named: as it is.
   int main(std::string_view usual);
   int frame(std::string_view usual);
+  // main, but never see-through: of a fridge with a glass door only the door is glass.
+  int solid_main(std::string_view usual);
   // A frame that is painted with the rest where a colour is asked: a red chair has red legs.
   int painted_frame(std::string_view usual) { return color_asked() ? main(usual) : frame(usual); }
   int named(std::string_view name) { return palette_.named(name); }

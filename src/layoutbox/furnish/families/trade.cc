@@ -9,7 +9,7 @@ namespace {
 
 // An upright cooler behind glass doors, its shelves at its spaces' floors and lit from above.
 void display_fridge(Piece& p) {
-  const int body = p.main("white"), dark = p.named("black_plastic"), glass = p.named("glass"), shelf = p.named("steel");
+  const int body = p.solid_main("white"), dark = p.named("black_plastic"), glass = p.named("glass"), shelf = p.named("steel");
   double low = p.h * 0.15, high = p.h * 0.88, side = 0.05, back = p.d / 2 - 0.05;
   for (const FreeSpace& s : p.spaces) {
     low = &s == &p.spaces.front() ? s.box.min.z : std::min(low, s.box.min.z);

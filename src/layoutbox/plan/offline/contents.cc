@@ -127,10 +127,11 @@ void RelationBuilder::add_contents(const Link& link) {
   }
 }
 
-// A curtain round a bed hangs beside it, and so does a rail that one holds on to; what else hangs is over it.
+// A curtain round a bed hangs beside it, and so does a rail that one holds on to; a scroll is in its alcove; what else hangs is over it.
 void RelationBuilder::add_hung_content(const Link& link, const Mention& target, const std::vector<int>& hosts) {
   const NounPhrase &host = noun_of_item(hosts.front()), &thing = target.noun;
   const auto is_host = [&](const std::string& kind) { return host.entry != nullptr && catalog_.is_a(host.entry->id, kind); };
+  if (thing.entry != nullptr && std::ranges::any_of(thing.entry->stands_on, is_host)) return share_out(link, R::kIn, target.items, hosts);
   const bool beside = thing.entry != nullptr && (mount_of(thing) == Mount::kCeiling ? thing.entry->is(Trait::kCurtain)
                                                                                     : std::ranges::any_of(thing.entry->beside, is_host));
   if (!link.after_comma && mount_of(host) == Mount::kFloor) share_out(link, beside ? R::kNextTo : R::kAbove, target.items, hosts);

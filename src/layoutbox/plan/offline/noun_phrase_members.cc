@@ -48,6 +48,15 @@ bool NounPhraseReader::read_share() {
   const std::size_t at = i_;
   if (phrase_.determiner == Determiner::kOther) {
     ++i_;
+    // "a car on the left, the other half is my workshop": of the room, where no half of things was spoken of
+    const bool first = std::none_of(tokens_.begin(), tokens_.begin() + static_cast<std::ptrdiff_t>(at),
+                                    [&](const Token& token) { return token.text == share->first; });
+    if (first && (at_word("is") || at_word("for") || at_word("as"))) {
+      phrase_.kind = NounKind::kAbstract;
+      phrase_.determiner = Determiner::kDefinite;
+      phrase_.name = phrase_.head = share->first;
+      return done_ = true;
+    }
     if (at_word("of")) read_subset();
     phrase_.kind = NounKind::kMember;
     phrase_.plural = true;

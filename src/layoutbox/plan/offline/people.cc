@@ -5,9 +5,11 @@
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/mention_links.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
 #include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/offline/seat_builder.h"
+#include "layoutbox/plan/offline/splice.h"
 #include "layoutbox/plan/offline/table_seats.h"
 #include "layoutbox/plan/offline/word_sets.h"
 
@@ -33,6 +35,7 @@ class RoomPeople {
     const auto& [main, persons] = needs->front();
     const bool seats_follow = needs->size() > 1;
     const int people = std::min(document_.people, kMostPeople);
+    if (share_tables(people)) return;
     int host = named(*main);
     // "an office for twelve with plants between the desks": twelve of them.
     const bool rows = host >= 0 && mention(host).noun.rows > 0 && mention(host).noun.vague;
@@ -85,9 +88,49 @@ class RoomPeople {
     return -1;
   }
 
+  // "a restaurant for 30, tables for two and four": so many of each that all have a place; whether several kinds are named.
+  bool share_tables(int people) {
+    std::vector<int> kinds;
+    int seats = 0;
+    for (std::size_t m = 0; m < document_.mentions.size(); ++m) {
+      const Mention& table = document_.mentions[m];
+      const NounPhrase& noun = table.noun;
+      if (!table.introduces || noun.kind != NounKind::kObject || noun.entry == nullptr || !is_table(catalog_, noun)) continue;
+      if (!noun.plural || noun.count > 0 || builder_.seats_said(table) == 0) continue;
+      kinds.push_back(static_cast<int>(m));
+      seats += builder_.seats_said(table);
+    }
+    if (kinds.size() < 2) return false;
+    for (const int kind : kinds) builder_.grow(kind, std::max(1, people / seats));
+    share_contents(kinds);
+    return true;
+  }
+
+  // "tables for two and four with tablecloths": each of them has one.
+  void share_contents(const std::vector<int>& hosts) {
+    int all = 0;
+    for (const int host : hosts) all += static_cast<int>(mention(host).items.size());
+    for (Link& link : document_.links) {
+      if (link.kind != Link::Kind::kHave || !contains(link.references, hosts.back())) continue;
+      for (const int m : link.targets) {
+        const NounPhrase& noun = mention(m).noun;
+        const bool carried = noun.kind == NounKind::kObject && mount_of(noun) == Mount::kSurface;
+        if (!carried || !noun.plural || noun.count > 0) continue;
+        builder_.grow(m, all);
+        link.references = hosts;
+      }
+    }
+  }
+
+  bool stands_at_counter(int seat) const {
+    return MentionLinks(document_).is_placed_by(
+        seat, [](const Mention& other) { return other.noun.entry != nullptr && other.noun.entry->is(Trait::kCounter); });
+  }
+
   // "to seat eight: a table, chairs": as many as people; whether any are named.
   bool grow_seats(const Lexicon::Set& needs, int people) {
     const int seats = needs.size() > 1 ? named(*needs[1].first) : -1;
+    if (seats >= 0 && one_of(mention(seats).noun.head, WordSet::kStools) && stands_at_counter(seats)) return false;
     if (seats >= 0 && mention(seats).noun.plural && mention(seats).noun.count == 0) builder_.grow(seats, people);
     return seats >= 0;
   }
@@ -130,9 +173,31 @@ bool names_thing(const Lexicon& lexicon, const std::vector<Token>& tokens, std::
   return at < tokens.size() && lexicon.find(tokens, at, WordClass::kObject).length > 0;
 }
 
+// "tables for two and four": "tables for two and tables for four".
+void part_tables(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
+  const std::vector<Token>& tokens = document.tokens;
+  std::vector<Splice> splices;
+  const auto number = [&](std::size_t i) {
+    return i < tokens.size() && (tokens[i].kind == Token::Kind::kNumber || lexicon.is(tokens[i], WordClass::kNumber));
+  };
+  for (std::size_t i = 0; i + 4 < tokens.size(); ++i) {
+    if (tokens[i].text != "tables" || tokens[i + 1].text != "for" || !number(i + 2) || !is_word(tokens[i + 3], {"and", "or"}) ||
+        !number(i + 4))
+      continue;
+    const std::size_t after = i + 5;
+    const bool thing = after < tokens.size() && !tokens[i + 4].ends_sentence &&
+                       (lexicon.find(tokens, after, WordClass::kObject).length > 0 || lexicon.find(tokens, after, WordClass::kUnit).length > 0);
+    if (thing) continue;  // "tables for two and four chairs"
+    splices.push_back({i + 4, tokens[i]});
+    splices.push_back({i + 4, tokens[i + 1]});
+  }
+  splice(document, skip, std::move(splices));
+}
+
 }  // namespace
 
 void read_seats_said(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
+  part_tables(lexicon, document, skip);
   std::vector<Token>& tokens = document.tokens;
   const auto drop = [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {

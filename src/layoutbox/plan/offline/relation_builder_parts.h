@@ -196,6 +196,7 @@ class RelationBuilder {
   void add_habits();
   void seat_in_windows();
   void park_cars();
+  void sit_before_mirrors();
   void stand_under_counters();
   bool is_only_table(std::size_t index) const;
   const NounPhrase& noun_of_object(const SceneObject& object) const;

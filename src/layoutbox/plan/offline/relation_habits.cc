@@ -234,6 +234,7 @@ void RelationBuilder::add_habits() {
   share_doors();
   seat_in_windows();
   park_cars();
+  sit_before_mirrors();
   stand_under_counters();
   hang_hoods();
   add_end_walls();

@@ -116,6 +116,33 @@ void RelationBuilder::park_cars() {
   }
 }
 
+// "four salon chairs, each with a mirror, along the right wall": they look into the mirrors, and these are on the wall.
+void RelationBuilder::sit_before_mirrors() {
+  std::vector<std::string> seats, mirrors;
+  for (const SceneObject& object : scene_.objects) {
+    const CatalogEntry& entry = catalog_.entry_or_nearest(object.category);
+    const auto is_mirror = [&](const std::string& kind) {
+      const CatalogEntry* seen = catalog_.find(kind);
+      return seen != nullptr && seen->is(Trait::kMirror);
+    };
+    if (is_seat(catalog_, noun_of_object(object)) && std::ranges::any_of(entry.faces, is_mirror)) seats.push_back(object.id);
+    if (entry.is(Trait::kMirror) && mount_of(noun_of_object(object)) == Mount::kWall) mirrors.push_back(object.id);
+  }
+  if (seats.empty() || seats.size() != mirrors.size()) return;
+  for (Relation& relation : scene_.relations) {
+    if (relation.targets.size() != 1 || relation.references.size() != 1) continue;
+    const auto seat = std::ranges::find(seats, relation.targets[0]);
+    if (relation.type == R::kAbove && std::ranges::find(seats, relation.references[0]) != seats.end()) {
+      std::swap(relation.targets, relation.references);
+      relation.type = R::kFacing;
+    } else if (relation.type == R::kAgainstWall && seat != seats.end()) {
+      relation.type = R::kOnWall;
+      relation.targets = {mirrors[static_cast<std::size_t>(seat - seats.begin())]};
+      relation.parameters = {};
+    }
+  }
+}
+
 // "a bay window, a window seat": the seat is in the window.
 void RelationBuilder::seat_in_windows() {
   for (std::size_t i = 0; i < scene_.objects.size(); ++i) {

@@ -132,7 +132,12 @@ void set_kind(const Document& document, SceneGraph& scene) {
   }
   // "Our basement should become a cinema": what it is to be, not where it is.
   const auto where = [](const std::string& type) { return type == "basement" || type == "attic" || type == "garage"; };
-  if (types.size() > 1 && where(types.front())) std::rotate(types.begin(), types.begin() + 1, types.end());
+  const bool has_own = !types.empty() && std::ranges::any_of(document.items, [&](const TextItem& item) {
+    const CatalogEntry* entry = item.noun.entry;
+    return entry != nullptr && !entry->rooms.empty() && entry->rooms.front() == types.front();
+  });
+  // ("a garage with a car in it and my workshop" is still a garage)
+  if (types.size() > 1 && where(types.front()) && !has_own) std::rotate(types.begin(), types.begin() + 1, types.end());
   if (!types.empty()) room.type = types.front();
   if (types.size() > 1) {
     std::string all;
@@ -141,8 +146,11 @@ void set_kind(const Document& document, SceneGraph& scene) {
   }
 }
 
-void set_size(const Document& document, const RoomSize& size, SceneGraph& scene) {
+void set_size(const Document& document, RoomSize size, SceneGraph& scene) {
   Room& room = scene.room;
+  // "circular, about 6 metres across": one side says the other
+  const bool even = room.shape == "round" || room.shape == "square";
+  if (even && (size.width == 0 || size.depth == 0)) size.width = size.depth = std::max(size.width, size.depth);
   if (size.width > 0 && size.depth > 0) {
     Mm w = mm_from_m(size.width), d = mm_from_m(size.depth);
     // "long and narrow, 4.5 x 2.2 m": one comes in at a narrow end, and its long sides are the left and the right one.

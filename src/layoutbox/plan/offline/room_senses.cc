@@ -1,8 +1,14 @@
 // What plain words mean in a kind of room.
 #include <algorithm>
+#include <array>
 #include <memory>
 
+#include "layoutbox/base/words.h"
 #include "layoutbox/catalog/kin.h"
+#include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/catalog/word_lists.h"
+#include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/noun_phrase_parts.h"
 #include "layoutbox/plan/offline/people.h"
 #include "layoutbox/plan/offline/reader_words.h"
 
@@ -77,6 +83,16 @@ void settle_gone_into(const Lexicon& lexicon, Document& document) {
   if (room != match.meanings.end()) noun.room = room->room;
 }
 
+// "A chemistry lab module": the room that is named within it.
+const RoomKind* room_within(const Lexicon& lexicon, const std::vector<Token>& tokens, const NounPhrase& noun) {
+  for (std::size_t i = noun.first; i < noun.last; ++i) {
+    const Match match = lexicon.find(tokens, i, WordClass::kRoom);
+    const Meaning* room = meaning_of(match, WordClass::kRoom);
+    if (room != nullptr && i + match.length <= noun.last) return room->room;
+  }
+  return nullptr;
+}
+
 // "A cell for prayer. …", "Storage unit, 10 x 10 ft. …": where no room is named, what a text opens with is the room, if it is nothing to
 // put into one or is given a room's size (`room_size_at`: the place of that in the prompt).
 void settle_topic(const Lexicon& lexicon, Document& document, const std::vector<std::size_t>& room_size_at) {
@@ -105,11 +121,13 @@ void settle_topic(const Lexicon& lexicon, Document& document, const std::vector<
   noun.kind = NounKind::kRoom;
   noun.entry = nullptr;
   noun.head = noun.name;
+  noun.room = room_within(lexicon, tokens, noun);
 }
 
 // Does an item of a list begin with the chunk at `k`?
 bool opens_item(const std::vector<Chunk>& chunks, std::size_t k) {
-  return k == 0 || chunks[k - 1].kind == ChunkKind::kComma || chunks[k - 1].kind == ChunkKind::kStop;
+  return k == 0 ||
+         std::ranges::count(std::array{ChunkKind::kComma, ChunkKind::kStop, ChunkKind::kHave, ChunkKind::kAnd}, chunks[k - 1].kind) > 0;
 }
 
 // "boxing gym, ring in the middle": what is mostly a verb is a thing where such rooms have one.
@@ -129,11 +147,44 @@ void name_listed_words(const Lexicon& lexicon, Document& document, const RoomKin
   }
 }
 
-const NounPhrase* first_known_room(const Document& document) {
-  for (const Chunk& chunk : document.chunks) {
+NounPhrase* first_known_room(Document& document) {
+  for (Chunk& chunk : document.chunks) {
     if (chunk.kind == ChunkKind::kNoun && chunk.noun.kind == NounKind::kRoom && chunk.noun.room != nullptr) return &chunk.noun;
   }
   return nullptr;
+}
+
+bool is_in(const WordList& list, std::string_view text) {
+  for (const WordList::Member one : list) {
+    if (one.value.text() == text) return true;
+  }
+  return false;
+}
+
+// Is one of those words said in the sentence of the room that [first, last) names, and not far from it?
+bool is_told(const std::vector<Token>& tokens, const NounPhrase& room, const WordList& words) {
+  constexpr std::size_t kNear = 8;  // tokens
+  std::size_t first = room.first, last = room.last;
+  while (first > 0 && room.first - first < kNear && !tokens[first - 1].ends_sentence) --first;
+  while (last < tokens.size() && last - room.last < kNear && !tokens[last - 1].ends_sentence) ++last;
+  return std::any_of(tokens.begin() + static_cast<std::ptrdiff_t>(first), tokens.begin() + static_cast<std::ptrdiff_t>(last),
+                     [&](const Token& token) { return is_in(words, token.text) || is_in(words, singular_of(token.text)); });
+}
+
+// "Vet clinic exam room", "the tea room of a samurai house": what a room's name means by the words that stand by it.
+void settle_told_room(const Lexicon& lexicon, Document& document) {
+  NounPhrase* room = first_known_room(document);
+  const auto plain = std::ranges::find_if(document.chunks, [](const Chunk& c) {
+    return c.kind == ChunkKind::kNoun && c.noun.kind == NounKind::kRoom && c.noun.room == nullptr;
+  });
+  if (room == nullptr && plain != document.chunks.end()) room = &plain->noun;
+  if (room == nullptr) return;
+  const std::string_view named = room->room == nullptr ? std::string_view() : std::string_view(room->room->id);
+  for (const WordList::Member row : word_list("words_room").at("rooms_told")) {
+    if (!is_in(row.value.at("of"), named) || !is_told(document.tokens, *room, row.value.at("by"))) continue;
+    room->room = lexicon.catalog().find_room(row.value.at("is").text());
+    return;
+  }
 }
 
 // What the words mean in that room, by the whole name (`named`) or by its last word. "A minimalist Japanese bedroom" is a Japanese bedroom.
@@ -168,6 +219,7 @@ void settle_room_senses(const Lexicon& lexicon, Document& document, const std::v
   settle_first_room(lexicon, document);
   settle_only_noun(lexicon, document);
   settle_topic(lexicon, document, room_size_at);
+  settle_told_room(lexicon, document);
   const NounPhrase* room = first_known_room(document);
   if (room == nullptr) return;
   std::string name = room->name;

@@ -224,10 +224,18 @@ class SenseChooser {
     return std::nullopt;
   }
 
-  // "books spill over the table": what does not hang lies on it.
+  static bool cooks_on(const NounPhrase& noun) {
+    return noun.entry != nullptr && (noun.entry->is(Trait::kFire) || noun.entry->is(Trait::kHob));
+  }
+
+  // "books spill over the table", "a kettle over the hearth", "a reagent shelf over the bench": what does not hang is on it.
   bool lies_over() const {
-    return mount_of(target_) == Mount::kSurface && reference_.kind == NounKind::kObject && !is_lamp(catalog_, target_) &&
-           one_of(target_.head, WordSet::kLaidThings) && may_carry(catalog_, reference_, target_);
+    if (mount_of(target_) != Mount::kSurface || reference_.kind != NounKind::kObject || is_lamp(catalog_, target_)) return false;
+    const bool rack = target_.entry != nullptr && target_.entry->is(Trait::kShelving);    // over a stove it hangs
+    const bool cooks = !rack && cooks_on(reference_) && !reference_.entry->back_to_wall;  // "a TV above the fireplace" hangs
+    const auto is_usual = [&](const std::string& kind) { return reference_.entry != nullptr && catalog_.is_a(reference_.entry->id, kind); };
+    const bool shelf = rack && !cooks_on(reference_) && std::ranges::any_of(target_.entry->stands_on, is_usual);
+    return (cooks || shelf || one_of(target_.head, WordSet::kLaidThings)) && may_carry(catalog_, reference_, target_);
   }
 
   // A lamp is over the table, a cloth on it; "at the end of the table" and "at the end of the bed" are two things.

@@ -30,6 +30,7 @@ class TableSeats {
     for (std::size_t m = 0; m < said; ++m) seat_table(static_cast<int>(m));
     for (std::size_t m = 0; m < document_.mentions.size(); ++m) look_for_desk(static_cast<int>(m));
     for (std::size_t m = 0; m < said; ++m) share_seats(static_cast<int>(m));
+    for (std::size_t m = 0; m < said; ++m) share_companions(static_cast<int>(m));
     for (const Link& link : document_.links) share_stands(link);
   }
 
@@ -170,6 +171,22 @@ class TableSeats {
     const int places = host ? places_at(mention(*host).noun, noun) : 1;
     if (const auto desk = desk_of_.find(noun.entry); !host && desk != desk_of_.end()) host = desk->second;
     if (host) builder_.grow(m, static_cast<int>(mention(*host).items.size()) * places);
+  }
+
+  // "three chairs and mirrors" of a salon: one for each, where such things have one each.
+  void share_companions(int m) {
+    const NounPhrase noun = mention(m).noun;
+    if (m == 0 || !names_things(mention(m)) || noun.entry == nullptr || !noun.plural || noun.count != 0 || mention(m).items.empty() ||
+        noun.first == 0)
+      return;
+    const Mention& before = mention(m - 1);
+    const bool joined = names_things(before) && before.noun.entry != nullptr && before.noun.last + 1 == noun.first &&
+                        one_of(document_.tokens[noun.first - 1].text, {"and", "with", "&"});
+    if (!joined || before.items.size() <= mention(m).items.size()) return;
+    const auto goes_with = [&](const Companion& row) {
+      return row.each == 1 && catalog_.is_a(before.noun.entry->id, row.of) && catalog_.is_a(noun.entry->id, row.adds);
+    };
+    if (std::ranges::any_of(Groups::builtin().companions, goes_with)) builder_.grow(m, static_cast<int>(before.items.size()));
   }
 
   // "three cameras on tripods": one for each, where one of them takes no more.

@@ -210,8 +210,14 @@ void Decoder::alone_of_member(std::size_t s, int u, std::size_t level, int neare
     alone_of_list(s, u, level, {ahead, gain + weight::kSameSide, false});
   const auto habit = [&](Referent by) { return place.joiner == Joiner::kNone ? habit_score(state, u, member, by, senses) : 0; };
   const int first = state.verb && level == 0 ? state.first_subject : -1;  // "a radio and a clock stand on it": on neither
+  // "tables for two, a bar on the right": beside none of so many
+  const auto crowd = [&](Referent by) {
+    if (!room_side_score(state, u) || mount_of(noun_of(state, member)) != Mount::kFloor || !is_thing(state, by)) return 0.0;
+    const NounPhrase& noun = noun_of(state, by);
+    return noun.count > 2 || (noun.plural && noun.count == 0) ? 2 * weight::kSmallByPlace : 0.0;
+  };
   for (const Candidate& meant : antecedents(state, member, &senses, &whom, first))
-    alone_of_list(s, u, level, {meant.referent, gain + meant.score + habit(meant.referent), meant.list});
+    alone_of_list(s, u, level, {meant.referent, gain + meant.score + habit(meant.referent) + crowd(meant.referent), meant.list});
 }
 
 // Of it alone, and of the list that it ends.

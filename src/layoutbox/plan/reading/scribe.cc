@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/noun_phrase_parts.h"
 #include "layoutbox/plan/offline/reader_words.h"
 
 namespace layoutbox::offline {
@@ -213,7 +214,10 @@ void Scribe::write_size(int u) {
 void Scribe::write_attribute(int u) {
   if (reading(u).subject == kNobody) return;
   mark(u, Use::kUsed, "attribute");
-  const std::string said = words_between(document_, chunk(u).first, chunk(u).last);
+  // "The floor is black and white tiles": as the wordings have it, checkered ones.
+  const std::string words = words_between(document_, chunk(u).first, chunk(u).last);
+  const bool reworded = words.find(document_.tokens[chunk(u).first].text) == std::string::npos;
+  const std::string said = reworded ? text_of(document_.tokens, chunk(u).first, chunk(u).last) : words;
   const WordClass word_class = lexicon_.find(document_.tokens, chunk(u).first).meanings.front().word_class;
   const auto add_to = [&](NounPhrase& noun) {
     noun.attributes.push_back(said);

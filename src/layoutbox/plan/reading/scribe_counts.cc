@@ -87,6 +87,9 @@ void Scribe::grow_for_sides(const Link& link, int target, int reference) {
     references_.grow(target, static_cast<std::size_t>(sides));
   else if (sides > 2 && link.sides > 0)  // "six chairs on three sides" are six; "two at each of four sides" eight
     references_.grow(target, link.sides_shared ? count * static_cast<std::size_t>(sides) : count);
+  else if (each_side && count == 1 && reference >= 0 && is_table(lexicon_.catalog(), noun_of(reference)) &&
+           is_seat(lexicon_.catalog(), noun_of(target)))  // "two tables with a chair on each side"
+    references_.grow(target, 2 * std::max<std::size_t>(mention_at(reference).items.size(), 1));
   else if (each_side && count != 2)
     references_.grow(target, count * 2);
   grow_contents(target, count);
