@@ -55,8 +55,8 @@ class OfflinePlanner final : public Planner {
     document.prompt = std::string(prompt);
     document.tokens = tokenize(prompt);
     end_last_sentence(document);
-    if (const auto language = foreign_language(document)) {
-      return fail(ErrorCode::kEmpty, "the text seems to be " + *language + ", and the offline planner reads English", "prompt",
+    if (const auto language = foreign_language(document); language && !translate(*language, document)) {
+      return fail(ErrorCode::kEmpty, "the text seems to be " + *language + ", which the offline planner does not read", "prompt",
                   "write it in English, or use a language model: --planner llm");
     }
     correct_spelling(lexicon_, document.tokens, document.stop);

@@ -185,8 +185,9 @@ void part_tables(const Lexicon& lexicon, Document& document, std::vector<bool>& 
         !number(i + 4))
       continue;
     const std::size_t after = i + 5;
-    const bool thing = after < tokens.size() && !tokens[i + 4].ends_sentence &&
-                       (lexicon.find(tokens, after, WordClass::kObject).length > 0 || lexicon.find(tokens, after, WordClass::kUnit).length > 0);
+    const bool thing =
+        after < tokens.size() && !tokens[i + 4].ends_sentence &&
+        (lexicon.find(tokens, after, WordClass::kObject).length > 0 || lexicon.find(tokens, after, WordClass::kUnit).length > 0);
     if (thing) continue;  // "tables for two and four chairs"
     splices.push_back({i + 4, tokens[i]});
     splices.push_back({i + 4, tokens[i + 1]});
