@@ -96,8 +96,13 @@ void settle_namesakes(Document& document) {
     NounPhrase& whole = chunks[k].noun;
     Chunk& part = chunks[k + 2];
     if (chunks[k].kind != ChunkKind::kNoun || chunks[k + 1].kind != ChunkKind::kHave || part.kind != ChunkKind::kNoun) continue;
-    const bool same = whole.entry != nullptr && whole.entry == part.noun.entry && whole.exact && part.noun.exact;
-    if (!same || whole.head == part.noun.head || whole.is_plural() || part.noun.is_plural() || part.noun.count > 1) continue;
+    if (whole.entry == nullptr || part.noun.entry == nullptr || !whole.exact || !part.noun.exact) continue;
+    // "a vanity with a double sink" is a double vanity.
+    const bool special = part.noun.entry->name.ends_with(" " + whole.head);
+    const bool same = whole.entry == part.noun.entry || special;
+    const bool namesake = document.tokens[part.noun.last - 1].text == whole.head;  // "a chair with a chair"
+    if (!same || namesake || whole.is_plural() || part.noun.is_plural() || part.noun.count > 1) continue;
+    if (special) whole.entry = part.noun.entry, whole.category = part.noun.entry->id;
     whole.attributes.insert(whole.attributes.end(), part.noun.attributes.begin(), part.noun.attributes.end());
     whole.attribute_classes.insert(whole.attribute_classes.end(), part.noun.attribute_classes.begin(), part.noun.attribute_classes.end());
     chunks[k + 1].kind = part.kind = ChunkKind::kIgnored;

@@ -166,15 +166,24 @@ void RelationBuilder::add_content(const Link& link, const Mention& target, const
   if (mount == Mount::kSurface && link.holding) return each(R::kOn);
   if (mount_of(host) == Mount::kWall && mount == Mount::kFloor && target.items.size() == 1)
     return add(link, R::kAbove, {id(hosts.front())}, {id(target.items.front())});
+  add_standing_content(link, target, hosts);
+}
+
+// … that stands on the floor by them.
+void RelationBuilder::add_standing_content(const Link& link, const Mention& target, const std::vector<int>& hosts) {
+  const NounPhrase &host = noun_of_item(hosts.front()), &thing = target.noun;
+  const bool joined = one_of(document_.tokens[link.first].text, WordSet::kJoinedBy);
+  const bool sat_on = is_seat(catalog_, host) || (host.entry != nullptr && host.entry->is(Trait::kEasySeat));
   if (is_placed(target.items.front()) || (link.after_comma && !joined)) return;
   // "a kitchen run with an island": before it, with an aisle between, as islands stand anyhow.
   const bool island = thing.entry != nullptr && thing.entry->is(Trait::kOpenToRoom) && thing.entry->is(Trait::kCounter);
   if (island && host.entry != nullptr && host.entry->is(Trait::kKitchenRun)) return;
   // "a rocking chair with a footstool": before it.
-  if (sat_on && thing.entry != nullptr && thing.entry->is(Trait::kStandsBefore) && !is_table(catalog_, thing)) return each(R::kInFrontOf);
-  if (target.items.size() == 2 && hosts.size() == 1 && mount == Mount::kFloor)
+  const bool before = sat_on && thing.entry != nullptr && thing.entry->is(Trait::kStandsBefore) && !is_table(catalog_, thing);
+  if (before) return share_out(link, R::kInFrontOf, target.items, hosts);
+  if (target.items.size() == 2 && hosts.size() == 1 && mount_of(thing) == Mount::kFloor)
     return add(link, R::kEachSideOf, ids(target.items), {id(hosts.front())});
-  each(R::kNextTo);
+  share_out(link, R::kNextTo, target.items, hosts);
 }
 
 // "a cabinet containing bandages"

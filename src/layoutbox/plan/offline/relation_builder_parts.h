@@ -132,6 +132,7 @@ class RelationBuilder {
   void add_seats(const Link& link, const std::vector<int>& seats, const std::vector<int>& tables);
   void add_hung_content(const Link& link, const Mention& target, const std::vector<int>& hosts);
   void add_content(const Link& link, const Mention& target, const std::vector<int>& hosts);
+  void add_standing_content(const Link& link, const Mention& target, const std::vector<int>& hosts);
   // "holding", "displaying": the host carries it, whatever it is.
   bool shows(const Link& link) const;
   bool says_inside(const Link& link) const;

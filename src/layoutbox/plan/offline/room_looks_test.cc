@@ -89,6 +89,11 @@ TEST(RoomLooks, ADoorToTheOutsideIsNoEntrance) {
 }
 
 TEST(RoomLooks, SizesFitTheRoom) {
+  const Room glazed = room_said("A room with a window 3 x 2.3 m and a bed.");
+  ASSERT_FALSE(glazed.openings.empty());
+  EXPECT_EQ(glazed.openings[0].height, 2300);
+  EXPECT_LE(glazed.openings[0].sill, 100);
+  EXPECT_FALSE(room_said("A studio with a north window, 6 x 5 m. Two easels.").polygon.empty());
   for (const Opening& opening : room_said("A 2 x 2 m room with a garage door.").openings) EXPECT_LE(opening.width, 2000);
   const Room cabin = room_said("A hall with a round window.");
   ASSERT_FALSE(cabin.openings.empty());

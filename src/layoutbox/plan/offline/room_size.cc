@@ -82,8 +82,8 @@ class SizeReader {
     const bool closes =
         first > 0 && tokens_[first - 1].text == "," &&
         std::ranges::all_of(tokens_ | std::views::drop(last), [](const Token& t) { return t.kind == Token::Kind::kPunctuation; });
-    constexpr double kWidestDoor = 2;  // m, where it is as high
-    const bool no_opening = closes && sides.size() >= 2 && std::min(sides[0], sides[1]) > kWidestDoor;
+    constexpr double kWidestDoor = 2, kHighestGlass = 2.7;  // m, where it is as wide
+    const bool no_opening = sides.size() >= 2 && std::min(sides[0], sides[1]) > (closes ? kWidestDoor : kHighestGlass);
     const double smallest = closes && size_.width == 0 ? kSmallestAfterRoom : kSmallestRoom;
     std::size_t begin = first;
     while (begin > 0 && first - begin < kLookBack && !tokens_[begin - 1].ends_sentence) --begin;

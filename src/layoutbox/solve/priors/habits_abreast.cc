@@ -89,7 +89,7 @@ void Habits::keep_tall_off_worked_at(int item) {
 // An island stands along the run, its front away from it, an aisle between. False: there is no run, or words say where it is.
 bool Habits::stand_along_run(int item) {
   constexpr Mm kBeforeRun = 1100;
-  constexpr int kAlong = 300, kAisle = 150;
+  constexpr int kAlong = 300, kBeforeIsland = 150;
   if (placed_besides_facing(item)) return false;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     const int unit = static_cast<int>(i);
@@ -102,7 +102,7 @@ bool Habits::stand_along_run(int item) {
       const Direction front = side_direction(run, Side::kFront, turn);
       if (!alike) return;
       Case& c = f.add().when(unit, states).when(item, alike);
-      c.wish(gap_towards(item, unit, front) - Linear(kBeforeRun), kAisle);
+      c.wish(gap_towards(item, unit, front) - Linear(kBeforeRun), kBeforeIsland);
       c.wish(mid2(item, across(front)) - mid2(unit, across(front)), kMiddle, 2);
     });
     if (f.cases.empty()) return false;
