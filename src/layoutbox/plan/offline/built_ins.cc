@@ -100,7 +100,9 @@ void settle_namesakes(Document& document) {
     // "a vanity with a double sink" is a double vanity.
     const bool special = part.noun.entry->name.ends_with(" " + whole.head);
     const bool same = whole.entry == part.noun.entry || special;
-    const bool namesake = document.tokens[part.noun.last - 1].text == whole.head;  // "a chair with a chair"
+    // "a table with a side table": by the word that the text has, whatever is read instead.
+    const Token& last = document.tokens[part.noun.last - 1];
+    const bool namesake = std::string_view(document.prompt).substr(last.begin, last.end - last.begin) == whole.head;
     if (!same || namesake || whole.is_plural() || part.noun.is_plural() || part.noun.count > 1) continue;
     if (special) whole.entry = part.noun.entry, whole.category = part.noun.entry->id;
     whole.attributes.insert(whole.attributes.end(), part.noun.attributes.begin(), part.noun.attributes.end());
