@@ -337,6 +337,12 @@ TEST_F(OfflinePlannerTest, SaysWhichLanguageItCannotRead) {
   const auto dutch = planner_->plan("Een slaapkamer met een bed naast het raam en twee stoelen bij de tafel.", {});
   ASSERT_FALSE(dutch);
   EXPECT_NE(dutch.error().message.find("Dutch"), std::string::npos) << dutch.error().message;
+  for (const char* english :
+       {"bedroom, no rug, no tv, do it as small as you like, bed and desk", "i am after an office den, desk and shelf"}) {
+    const auto plan = planner_->plan(english, {});
+    ASSERT_TRUE(plan) << english;
+    for (const Note& note : plan->scene.notes) EXPECT_EQ(note.message.find("taken for"), std::string::npos) << note.message;
+  }
   EXPECT_TRUE(planner_->plan("A café with a chaise longue à la mode, a table de chevet, and an en suite bathroom.", {}));
 }
 
