@@ -104,7 +104,7 @@ void RelationBuilder::stand_hobs() {
     NounPhrase& noun = document_.items[i].noun;
     if (noun.entry == nullptr || !noun.entry->is(Trait::kHob) || noun.entry->mount != Mount::kSurface) continue;
     const std::vector<std::size_t> own = relations_of(id(static_cast<int>(i)));
-    const auto rests = [&](std::size_t r) { return scene_.relations[r].type == R::kOn || scene_.relations[r].type == R::kIn; };
+    const auto rests = [&](std::size_t r) { return traits_of(scene_.relations[r].type).rests; };
     const auto at_wall = [&](std::size_t r) {
       return scene_.relations[r].type == R::kOnWall || traits_of(scene_.relations[r].type).back_to_wall;
     };

@@ -18,15 +18,29 @@ std::string as_tokens(std::string_view words) {
   return text;
 }
 
-// The words of a list that the text has, and how often it has any.
+WordList languages() { return word_list("words_languages").at("languages"); }
+
+// By its small words: those of each language as tokens, made once.
+using Signs = std::vector<std::pair<std::string_view, std::set<std::string>>>;
+const Signs& signs_of_languages() {
+  static const Signs signs = [] {
+    Signs made;
+    for (const WordList::Member language : languages()) {
+      std::set<std::string>& words = made.emplace_back(language.key, std::set<std::string>{}).second;
+      for (const WordList::Member word : language.value.at("signs")) words.insert(as_tokens(word.value.text()));
+    }
+    return made;
+  }();
+  return signs;
+}
+
+// Which of them the text has, and how often it has any.
 struct Found {
-  std::set<std::string> words;
+  std::set<std::string_view> words;
   int times = 0;
 };
 
-Found found_of(const Document& document, const WordList& list) {
-  std::set<std::string> signs;
-  for (const WordList::Member word : list) signs.insert(as_tokens(word.value.text()));
+Found found_of(const Document& document, const std::set<std::string>& signs) {
   Found found;
   for (const Token& token : document.tokens) {
     const auto sign = signs.find(token.text);
@@ -111,23 +125,23 @@ class Translator {
   std::vector<std::string_view> endings_;
 };
 
-WordList languages() { return word_list("words_languages").at("languages"); }
-
 }  // namespace
 
 std::optional<std::string> foreign_language(const Document& document) {
   constexpr std::size_t kLeastWords = 3;  // different ones: names and borrowed words come alone
   constexpr int kShare = 6;               // of so many words one is such a small word
-  const int english = found_of(document, languages().at("English").at("signs")).times;
+  constexpr std::string_view kOwn = "English";
   const auto words = std::ranges::count(document.tokens, Token::Kind::kWord, &Token::kind);
   std::optional<std::string> most;
-  int times = english;
-  for (const WordList::Member language : languages()) {
-    const Found found = found_of(document, language.value.at("signs"));
-    if (language.key == "English" || found.words.size() < kLeastWords || found.times <= times || found.times * kShare < words) continue;
-    most = language.key;
+  int times = 0, english = 0;
+  for (const auto& [language, signs] : signs_of_languages()) {
+    const Found found = found_of(document, signs);
+    if (language == kOwn) english = found.times;
+    if (language == kOwn || found.words.size() < kLeastWords || found.times <= times || found.times * kShare < words) continue;
+    most = language;
     times = found.times;
   }
+  if (times <= english) return std::nullopt;
   return most;
 }
 
