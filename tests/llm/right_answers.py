@@ -8,7 +8,7 @@ server to `batch --planner llm`. Counted are
   denied    things and relations that were added although the annotation denies them: a kind of which it has its number already, or a
             side or wall other than the annotated one
   requests  of the prompts whose answer has a layout by itself (`--trust model`)
-  found     wrong answers (a thing forgotten, one too few, one too many) that come back with a difference in the notes
+  found     wrong answers (a thing forgotten, one too few, one too many) that come back with a note about a thing that the right one has not
 """
 
 import argparse
@@ -253,11 +253,14 @@ def additions(answer, scene, row):
 
 
 def differences(scene):
-    return sum(note["code"] == "text-differs" for note in scene.get("notes", [])) if scene else 0
+    return Counter(note["message"] for note in scene.get("notes", []) if note["code"] == "text-differs") if scene else Counter()
+
+
+ABOUT_THINGS = ("the text names", "the text has", "the model adds")
 
 
 def measure_right(binary, rows, figures, lines):
-    """The right answers; how many differences each is noted to have."""
+    """The right answers; the differences that each is noted to have."""
     answers = {row["ID"]: right_answer(row) for row in rows}
     alone = play(binary, rows, answers.values(), "--trust", "model", *ROUGHLY)
     # An answer that has no layout is asked about again with reason.
@@ -280,18 +283,18 @@ def measure_right(binary, rows, figures, lines):
                 lines += [f"{name}: {requests} requests"] if requests > 1 else []
             lost = losses(answer, scene)
             wrong, added = additions(answer, scene, row)
-            figures.update(lost=len(lost), denied=len(wrong), added=added, differences=noted[name])
+            figures.update(lost=len(lost), denied=len(wrong), added=added, differences=noted[name].total())
             lines += [f"{name}: lost {what}" for what in lost] + [f"{name}: added {what}" for what in wrong]
     return noted
 
 
 def measure_wrong(binary, rows, noted, figures, lines):
-    """Wrong answers: each must be noted to differ in more than the right one does."""
+    """Wrong answers: each must have a note about a thing that the right one has not."""
     for make in (forgotten, too_few, too_many):
         cases = [(row, answer) for row in rows if (answer := make(row)) is not None]
         played = play(binary, [row for row, _ in cases], [answer for _, answer in cases], *ROUGHLY)
         for (row, _), (scene, _, _) in zip(cases, played, strict=True):
-            found = differences(scene) > noted.get(row["ID"], 0)
+            found = any(sentence.startswith(ABOUT_THINGS) for sentence in differences(scene) - noted.get(row["ID"], Counter()))
             settled = scene is not None and len(scene["furniture"]) == len(right_answer(row)["furniture"])
             figures.update({"wrong": 1, "found": found, "settled": settled, f"{make.__name__}": 1, f"{make.__name__} found": found})
             if not found:
