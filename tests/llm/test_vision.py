@@ -133,6 +133,7 @@ class Vision(model_case.ModelCase):
         # A bound of 95 % misses the truth once in twenty times.
         chance = 0
         for salt in range(8):
+
             def coin(picture, text, salt=salt):
                 return "yes" if text and hashlib.sha256(f"{salt} {text}".encode()).digest()[0] % 2 else "no" if text else 0.5
 
