@@ -156,8 +156,9 @@ std::string_view kept_in_entry(std::string_view head, const CatalogEntry& host) 
   if (found == known_kinds().kept_in.end()) return {};
   for (const std::string_view row : split_words(found->second)) {
     const std::size_t mark = row.find('>');
-    const std::optional<Trait> trait = trait_from_name(row.substr(0, mark));
-    if (trait && host.is(*trait)) return row.substr(mark + 1);
+    const std::string_view said = row.substr(0, mark);
+    const std::optional<Trait> trait = trait_from_name(said);
+    if (said == host.id || (trait && host.is(*trait))) return row.substr(mark + 1);
   }
   return {};
 }

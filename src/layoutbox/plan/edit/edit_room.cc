@@ -4,6 +4,7 @@
 
 #include "layoutbox/plan/edit/edit_reader.h"
 #include "layoutbox/plan/edit/edit_reader_parts.h"
+#include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/offline/room_reader.h"
 
 namespace layoutbox::edit {
@@ -11,8 +12,6 @@ namespace layoutbox::edit {
 using namespace offline;
 
 namespace {
-
-bool is_opening(const NounPhrase& noun) { return noun.kind == NounKind::kDoor || noun.kind == NounKind::kWindow; }
 
 bool is_new(const NounPhrase& noun) {
   return noun.determiner == Determiner::kIndefinite || noun.determiner == Determiner::kAnother || noun.determiner == Determiner::kNone;
@@ -32,10 +31,6 @@ const Wall* wall_opposite(const Layout& layout, const Wall& wall) {
     if (parallel && far > farthest) farthest = far, best = &other;
   }
   return best;
-}
-
-bool says(const PhraseSenses& senses, RelationType type) {
-  return std::any_of(senses.begin(), senses.end(), [type](const auto& sense) { return sense.type == type; });
 }
 
 }  // namespace

@@ -269,6 +269,14 @@ TEST_F(OfflinePlannerTest, AttributesGoToTheirObject) {
   EXPECT_EQ(read.objects[1].attributes, (std::vector<std::string>{"small", "round"}));
 }
 
+TEST(OfflinePlanner, OfSeveralEachHasTheColorThatIsSaidOfIt) {
+  const SceneGraph three = scene("Three cushions: one red, one green and one blue.");
+  ASSERT_EQ(three.objects.size(), 3U);
+  EXPECT_EQ(three.objects[0].attributes, std::vector<std::string>{"red"});
+  EXPECT_EQ(three.objects[1].attributes, std::vector<std::string>{"green"});
+  EXPECT_EQ(three.objects[2].attributes, std::vector<std::string>{"blue"});
+}
+
 TEST_F(OfflinePlannerTest, SoftWordsMakeSoftRelations) {
   const SceneGraph read = scene("A bed against the wall. Ideally, a desk stands under the window.");
   ASSERT_EQ(read.relations.size(), 2u);

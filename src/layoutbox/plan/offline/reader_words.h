@@ -51,10 +51,12 @@ inline bool is_new_here(const NounPhrase& noun) {
   return noun.determiner == Determiner::kIndefinite || noun.determiner == Determiner::kAnother || noun.count > 0;
 }
 
+inline bool is_opening(const NounPhrase& noun) { return noun.kind == NounKind::kDoor || noun.kind == NounKind::kWindow; }
+
 // A wall, a corner, a door …
 inline bool is_part_of_room(const NounPhrase& noun) {
   return noun.kind == NounKind::kWall || noun.kind == NounKind::kCorner || noun.kind == NounKind::kCenter ||
-         noun.kind == NounKind::kCeiling || noun.kind == NounKind::kDoor || noun.kind == NounKind::kWindow;
+         noun.kind == NounKind::kCeiling || is_opening(noun);
 }
 
 inline bool contains(const std::vector<int>& all, int one) { return std::find(all.begin(), all.end(), one) != all.end(); }

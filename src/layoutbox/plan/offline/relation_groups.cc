@@ -91,7 +91,7 @@ void RelationBuilder::add_between(const Link& link, const std::vector<int>& targ
     if (!mention(m).items.empty()) {
       const auto step = static_cast<std::size_t>(std::max(mention(m).noun.apart, 1));
       for (std::size_t i = 0; i < mention(m).items.size(); i += step) references.push_back(id(mention(m).items[i]));
-    } else if (mention(m).noun.kind == NounKind::kDoor || mention(m).noun.kind == NounKind::kWindow) {
+    } else if (is_opening(mention(m).noun)) {
       for (const std::string& opening : opening_ids(mention(m).noun)) references.push_back(opening);
     } else if (mention(m).noun.kind == NounKind::kWall) {
       references.push_back(mention(m).noun.wall_word.empty() ? "back" : mention(m).noun.wall_word);

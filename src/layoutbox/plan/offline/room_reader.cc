@@ -93,8 +93,6 @@ struct PlacedOpening {
 };
 using PlacedOpenings = std::vector<PlacedOpening>;
 
-bool is_opening(const Mention& mention) { return mention.noun.kind == NounKind::kDoor || mention.noun.kind == NounKind::kWindow; }
-
 OpeningType opening_type(const Mention& mention) {
   return mention.noun.kind == NounKind::kDoor ? OpeningType::kDoor : OpeningType::kWindow;
 }
@@ -167,7 +165,7 @@ void set_size(const Document& document, RoomSize size, SceneGraph& scene) {
 
 // Which wall a place says: "in the middle of the short wall", "opposite the door" (the one across from it).
 std::string wall_said(const Link& link, const NounPhrase& by) {
-  if (by.kind == NounKind::kDoor || by.kind == NounKind::kWindow) {
+  if (is_opening(by)) {
     const bool across = std::ranges::any_of(link.senses, [](const PhraseSense& sense) { return sense.type == RelationType::kOpposite; });
     return across ? "across" : "";
   }
@@ -185,7 +183,7 @@ PlacedOpenings placed_openings(const Document& document) {
   for (const Link& link : document.links) {
     for (const int target : link.targets) {
       const Mention& mention = document.mentions[static_cast<std::size_t>(target)];
-      if (!is_opening(mention)) continue;
+      if (!is_opening(mention.noun)) continue;
       std::string wall = mention.noun.wall_word, corner;
       for (const int reference : link.references) {
         const NounPhrase& by = document.mentions[static_cast<std::size_t>(reference)].noun;
@@ -241,7 +239,7 @@ void add_openings(const Document& document, SceneGraph& scene) {
   const PlacedOpenings placed = placed_openings(document);
   put_openings(placed, false, scene);
   for (const Mention& mention : document.mentions) {
-    if (!is_opening(mention)) continue;
+    if (!is_opening(mention.noun)) continue;
     const OpeningType type = opening_type(mention);
     const bool said = std::any_of(placed.begin(), placed.end(), [&](const auto& p) { return p.mention == &mention; });
     const bool counted = mention.noun.count > 1 || (mention.noun.plural && mention.noun.determiner != Determiner::kDefinite);

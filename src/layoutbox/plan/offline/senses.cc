@@ -198,7 +198,7 @@ class SenseChooser {
 
   // A door has no left of its own: beside it. A seat "on the opposite side" of a table or "along one side" sits at it.
   std::optional<PhraseSense> at_opening_or_table() const {
-    const bool opening = reference_.kind == NounKind::kDoor || reference_.kind == NounKind::kWindow;
+    const bool opening = is_opening(reference_);
     if (opening && says_any({R::kLeftOf, R::kRightOf, R::kBehind})) return own(R::kNextTo);
     if (opening && says(R::kIn) && !says(R::kOn) && mount_of(target_) == Mount::kFloor && direction_ == PhraseSense::Direction::kDirect)
       return own(R::kNextTo);
@@ -270,7 +270,7 @@ int suits_on(const Catalog& catalog, const NounPhrase& target, const NounPhrase&
 int suits_above(const Catalog& catalog, const NounPhrase& target, const NounPhrase& reference) {
   const Mount mount = mount_of(target);
   // What lies or hangs loosely is over no door or window; curtains are.
-  const bool opening = reference.kind == NounKind::kDoor || reference.kind == NounKind::kWindow;
+  const bool opening = is_opening(reference);
   if (opening && mount == Mount::kHung && !(target.entry != nullptr && target.entry->is(Trait::kCurtain))) return 0;
   // "a dispenser on the counter, lanterns from the ceiling above it": above the counter
   if (mount == Mount::kCeiling && reference.kind == NounKind::kObject && mount_of(reference) == Mount::kSurface) return 0;

@@ -53,7 +53,7 @@ bool Decoder::consider(std::vector<Candidate>& all, const State& state, Referent
                        const PhraseSenses* senses, const NounPhrase* noun, bool list) const {
   if (referent == kNobody) return false;
   const NounPhrase& meant = noun_of(state, referent);
-  const bool opening = (meant.kind == NounKind::kDoor || meant.kind == NounKind::kWindow) &&
+  const bool opening = is_opening(meant) &&
                        // "a desk and a bed in it": in the room; nothing lies on a door.
                        !(senses != nullptr && says(*senses, &RelationTraits::rests));
   if (!is_thing(state, referent) && !(opening && senses != nullptr && noun != nullptr && noun->head == "it")) return false;

@@ -211,6 +211,20 @@ void Scribe::write_size(int u) {
   }
 }
 
+// "two chairs, one red and one blue": of the one right before it, not of all who the sentence is about.
+std::vector<int> Scribe::described_by(int u) const {
+  std::vector<int> subjects = subjects_of(u);
+  const bool of_member = u > 0 && is(u - 1, UnitKind::kNoun) && unit(u).joiner == Joiner::kNone &&
+                         chunk(u - 1).noun.kind == NounKind::kMember && is_thing(mention_[static_cast<std::size_t>(u - 1)]);
+  if (!of_member) return subjects;
+  const int member = mention_[static_cast<std::size_t>(u - 1)];
+  const auto has_it = [&](int item) {
+    return std::ranges::any_of(
+        subjects, [&](int subject) { return std::ranges::find(mention_at(subject).items, item) != mention_at(subject).items.end(); });
+  };
+  return std::ranges::all_of(mention_at(member).items, has_it) ? std::vector<int>{member} : subjects;
+}
+
 void Scribe::write_attribute(int u) {
   if (reading(u).subject == kNobody) return;
   mark(u, Use::kUsed, "attribute");
@@ -223,7 +237,7 @@ void Scribe::write_attribute(int u) {
     noun.attributes.push_back(said);
     noun.attribute_classes.push_back(word_class);
   };
-  for (const int subject : subjects_of(u)) {
+  for (const int subject : described_by(u)) {
     add_to(mention_at(subject).noun);
     for (const int item : mention_at(subject).items) add_to(document_.items[static_cast<std::size_t>(item)].noun);
   }

@@ -32,6 +32,7 @@ class Scribe {
   void write_participle(int u);
   void stack(int u);
   void write_size(int u);
+  std::vector<int> described_by(int u) const;
   void write_attribute(int u);
   void end_sentence();
 

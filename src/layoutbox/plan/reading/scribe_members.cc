@@ -93,6 +93,9 @@ int Scribe::make_more(int u, const NounPhrase& noun) {
   if (!joined || noun.determiner != Determiner::kNone || noun.count == 0 || noun.subset || !is(u + 1, UnitKind::kPlace)) return -1;
   std::vector<int> kind = mentions_of(reading(u).meant);
   for (int before = u; before-- > 0;) {
+    // "three doors: the front door at the end and two on the left": doors
+    const bool opening = is(before, UnitKind::kNoun) && is_opening(chunk(before).noun);
+    if (opening) return mention_[static_cast<std::size_t>(before)] < 0 ? -1 : copy_of(mention_[static_cast<std::size_t>(before)], noun);
     if (is(before, UnitKind::kNoun) && is_thing(mention_[static_cast<std::size_t>(before)]) &&
         mention_at(mention_[static_cast<std::size_t>(before)]).introduces && reading(before).role != NounRole::kReference) {
       kind = {mention_[static_cast<std::size_t>(before)]};

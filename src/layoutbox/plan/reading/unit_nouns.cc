@@ -100,7 +100,7 @@ bool UnitReader::is_part(std::size_t k) const {
   const NounPhrase& noun = chunk(k).noun;
   if (is_own_frame(k)) return true;
   if (units_.empty() || units_.back().kind != UnitKind::kHave || joiner_ != Joiner::kNone || !is_content_of_thing()) return false;
-  if (noun.kind == NounKind::kDoor || noun.kind == NounKind::kWindow) return true;
+  if (is_opening(noun)) return true;
   // "a changing table with drawers, a rocking chair": the chair is another thing of the list.
   if (noun.kind == NounKind::kPart && !noun.as_object && !noun.of && is(next(k), ChunkKind::kComma)) return true;
   const bool built_in = std::find(noun.attributes.begin(), noun.attributes.end(), "built-in") != noun.attributes.end();
@@ -391,7 +391,7 @@ void UnitReader::read_noun(std::size_t k) {
     leave_out_part(k, is(next(k), ChunkKind::kAnd));  // "with a soft mattress and two pillows": the having goes on
     return;
   }
-  if (noun.kind == NounKind::kDoor || noun.kind == NounKind::kWindow) document_.openings.push_back(noun);
+  if (is_opening(noun)) document_.openings.push_back(noun);
   place_at_named_wall(k);
   // "the desk's left corner" is the left corner of the desk.
   if (owner_ < document_.chunks.size() && !noun.of) {

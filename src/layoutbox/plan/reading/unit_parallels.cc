@@ -156,7 +156,7 @@ bool UnitReader::opens_topic(std::size_t k) {
   const PhraseSenses* senses = place_of_topic(k);
   if (senses == nullptr) return false;
   const NounPhrase& noun = chunk(k).noun;
-  if (noun.kind == NounKind::kDoor || noun.kind == NounKind::kWindow) document_.openings.push_back(noun);
+  if (is_opening(noun)) document_.openings.push_back(noun);
   add_place(k, *senses);
   add(UnitKind::kNoun, k);
   in_brackets_ = true;  // the colon joins nothing

@@ -253,7 +253,7 @@ bool UnitReader::purpose_ends(std::size_t k, std::size_t n) const {
   if (thing && (noun.exact || comma) && is(next(n), ChunkKind::kRelation)) return true;
   if (!comma) return false;
   // "a hall for a game, entrance south"
-  if (noun.kind == NounKind::kDoor || noun.kind == NounKind::kWindow) return true;
+  if (is_opening(noun)) return true;
   // "…, hooks for coats", "…, shelves with files": what has a purpose or things of its own
   const bool own =
       is(next(n), ChunkKind::kHave) || (is(next(n), ChunkKind::kPurpose) && document_.tokens[chunk(next(n)).first].text == "for");

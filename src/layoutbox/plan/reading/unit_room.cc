@@ -166,10 +166,8 @@ std::string UnitReader::run_side_of_room(std::size_t k) const {
   if (large && chunk(thing).noun.is_plural()) return side;
   // "Bunk bed on the left, …": of nothing that was named before
   const bool first =
-      std::none_of(document_.chunks.begin(), document_.chunks.begin() + static_cast<std::ptrdiff_t>(thing), [](const Chunk& c) {
-        return c.kind == ChunkKind::kNoun &&
-               (c.noun.kind == NounKind::kObject || c.noun.kind == NounKind::kDoor || c.noun.kind == NounKind::kWindow);
-      });
+      std::none_of(document_.chunks.begin(), document_.chunks.begin() + static_cast<std::ptrdiff_t>(thing),
+                   [](const Chunk& c) { return c.kind == ChunkKind::kNoun && (c.noun.kind == NounKind::kObject || is_opening(c.noun)); });
   if (large && first) return side;
   const std::size_t end = std::min(document_.chunks.size(), k + kFarthestBack);
   bool at_wall = false;  // "a bar on the back wall, a fireplace on the left and stairs on the right"
