@@ -59,10 +59,9 @@ void RelationBuilder::build_in_ovens() {
 void RelationBuilder::place_in_run(Relation& relation, const std::vector<std::string>& units) {
   constexpr Mm kRun = 4000;  // how far off an end of it is
   if (relation.targets.size() != 1 || !relation.asked() || !stands_in_run(relation.targets[0])) return;
-  const bool whole_room = relation.why.find("room") != std::string::npos || relation.why.find("kitchen") != std::string::npos;
-  if (relation.type == R::kCenterOfRoom && !whole_room) relation.type = R::kCenteredOnWall;
-  if (!relation.why.ends_with(" end")) return;
-  const bool left = relation.why.find(" left") != std::string::npos, right = relation.why.find(" right") != std::string::npos;
+  if (relation.type == R::kCenterOfRoom && !words_.have(relation, WordSet::kWholeRoom)) relation.type = R::kCenteredOnWall;
+  if (!words_.end_with(relation, "end")) return;
+  const bool left = words_.have(relation, "left"), right = words_.have(relation, "right");
   if (left == right) return;
   relation.references.clear();
   for (const std::string& unit : units) {
@@ -89,7 +88,8 @@ void RelationBuilder::share_out_over_run(const std::vector<std::string>& units) 
   }
   std::size_t over = 0;
   for (Relation& above : scene_.relations) {
-    const bool unsaid = above.type == R::kAbove && above.why == "above" && above.targets.size() == 1 && above.references.size() == 1;
+    const bool unsaid =
+        above.type == R::kAbove && words_.are_without_reference(above) && above.targets.size() == 1 && above.references.size() == 1;
     const SceneObject* cabinet = unsaid ? object_of(above.targets[0]) : nullptr;
     if (cabinet == nullptr || !catalog_.is_a(cabinet->category, "wall_cabinet") || !stands_in_run(above.references[0])) continue;
     if (over < low.size()) above.references = {low[over++]};

@@ -13,13 +13,14 @@
 #include "layoutbox/plan/offline/document.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/relation_builder.h"
+#include "layoutbox/plan/offline/relation_words.h"
 
 namespace layoutbox::offline {
 
 class RelationBuilder {
  public:
   RelationBuilder(const Lexicon& lexicon, Document& document, SceneGraph& scene)
-      : catalog_(lexicon.catalog()), document_(document), scene_(scene) {
+      : catalog_(lexicon.catalog()), document_(document), scene_(scene), words_(document.tokens) {
     for (std::size_t i = 0; i < scene_.objects.size(); ++i) objects_.emplace(scene_.objects[i].id, i);
   }
   void run();
@@ -249,6 +250,7 @@ class RelationBuilder {
   const Catalog& catalog_;
   Document& document_;
   SceneGraph& scene_;
+  RelationWords words_;
   std::vector<std::pair<std::string, Mm>> heights_;
   std::unordered_set<int> on_floor_;  // mentions that are told to be there: "… and a basket on the floor"
   // Where in scene_.relations things stand; keeps long texts linear. By what they say, and by each target.
