@@ -118,7 +118,8 @@ void RelationBuilder::stand_hobs() {
       return std::ranges::any_of(noun.entry->stands_on, carries) && catalog_.entry_or_nearest(object.category).spaces.empty();
     });
     const auto is_free_oven = [&](const SceneObject& object) {
-      return object.category == "oven" && !object.size && relations_of(object.id).empty() && noun_of_object(object).attributes.empty();
+      return catalog_.is_a(object.category, "oven") && !object.size && relations_of(object.id).empty() &&
+             noun_of_object(object).attributes.empty();
     };
     const auto oven = std::ranges::find_if(scene_.objects, is_free_oven);
     if (own.empty() && oven != scene_.objects.end()) {
@@ -136,7 +137,7 @@ void RelationBuilder::stand_hobs() {
   }
 }
 
-// "an island with three stools": as high as one sits there.
+// "an island with three stools": those that one sits on there, as high as that is.
 void RelationBuilder::raise_stools() {
   for (const Relation& at : scene_.relations) {
     if (at.references.size() != 1 || (!traits_of(at.type).around && at.type != R::kInFrontOf)) continue;
@@ -147,8 +148,9 @@ void RelationBuilder::raise_stools() {
     const CatalogEntry* high = row == seatings.end() ? nullptr : catalog_.find(row->seat);
     for (const std::string& seat : at.targets) {
       const auto object = std::ranges::find(scene_.objects, seat, &SceneObject::id);
-      if (high == nullptr || !high->id.ends_with("stool") || object == scene_.objects.end() || object->category != "stool") continue;
-      object->category = high->id;
+      if (high == nullptr || object == scene_.objects.end()) continue;
+      const CatalogEntry& named = catalog_.entry_or_nearest(object->category);
+      if (!named.is(Trait::kChair) && catalog_.is_a(high->id, named.id)) object->category = high->id;
     }
   }
 }

@@ -132,6 +132,8 @@ class RelationBuilder {
   void share_out(const Link& link, RelationType type, const std::vector<int>& items, const std::vector<int>& hosts);
   void add_seats(const Link& link, const std::vector<int>& seats, const std::vector<int>& tables);
   void add_hung_content(const Link& link, const Mention& target, const std::vector<int>& hosts);
+  bool is_joined_by(const Link& link) const;
+  bool is_sat_on(const NounPhrase& noun) const;
   void add_content(const Link& link, const Mention& target, const std::vector<int>& hosts);
   void add_standing_content(const Link& link, const Mention& target, const std::vector<int>& hosts);
   // "holding", "displaying": the host carries it, whatever it is.
