@@ -154,11 +154,16 @@ class TableSeats {
     return first;
   }
 
+  bool is_for_several(const CatalogEntry& table) {
+    const Seating* seating = seating_at(table);
+    return seating != nullptr && !seating->seat.empty() && seats_at_size(*seating, false, table.size.usual) > 1;
+  }
+
   // How many stand at each of those tables.
-  static int places_at(const NounPhrase& host, const NounPhrase& seat) {
+  int places_at(const NounPhrase& host, const NounPhrase& seat) {
     const bool one_each = host.entry->is(Trait::kDeskLike) || host.entry->is(Trait::kDesk) || host.entry->is(Trait::kCounter);
     const bool flanks = seat.entry->is(Trait::kChair) || seat.head == "bench" ||  // "long tables with benches"
-                        (is_stool(seat) && !host.entry->is(Trait::kOccasional));
+                        (is_stool(seat) && is_for_several(*host.entry));
     const bool at_sides = host.entry->is(Trait::kTable) && host.entry->used_sides.size() > 1 && flanks;
     return one_each || !at_sides ? 1 : 2;
   }
