@@ -149,7 +149,7 @@ Result<Model> furnish(const Layout& layout, const Catalog& catalog, const Furnis
   const Decor decor = decor_of(layout, options.seed);
   model.daylight = decor.daylight;
   palette.wear_from_now(decor.wear);
-  add_room_shell(layout, decor, palette, model);
+  add_room_shell(layout, catalog, decor, palette, model);
   LAYOUTBOX_CHECK(replace_walls_by_own_meshes(layout, palette, options, model));
   for (const PlacedObject& object : layout.objects) {
     LAYOUTBOX_CHECK(check_size(object));

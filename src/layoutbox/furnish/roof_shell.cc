@@ -20,10 +20,10 @@ struct Slope {
   double width, depth, low, high;
 };
 
-std::vector<Slope> slopes_of(const Layout& layout) {
+std::vector<Slope> slopes_of(const Layout& layout, const Catalog& catalog) {
   std::vector<Slope> slopes;
   for (const PlacedObject& object : layout.objects) {
-    if (!Catalog::builtin().entry_or_nearest(object.category).is(Trait::kRoofSlope)) continue;
+    if (!catalog.entry_or_nearest(object.category).is(Trait::kRoofSlope)) continue;
     const double turn = radians_from_degrees(object.rotation_deg), low = m_from_mm(object.position[2]);
     slopes.push_back({{m_from_mm(object.position[0]), m_from_mm(object.position[1])},
                       {-std::sin(turn), std::cos(turn)},
@@ -84,9 +84,9 @@ Mesh cut_under(const Mesh& mesh, const RoofLine& line) {
 
 }  // namespace
 
-RoofEdge roof_over(const Layout& layout, const WallFrame& wall, double height) {
+RoofEdge roof_over(const Layout& layout, const Catalog& catalog, const WallFrame& wall, double height) {
   RoofEdge edge{height, {}};
-  for (const Slope& slope : slopes_of(layout)) {
+  for (const Slope& slope : slopes_of(layout, catalog)) {
     const Vec2 at = wall.local(slope.middle, 0);
     const double along = slope.back.x * wall.along.x + slope.back.y * wall.along.y,
                  inward = slope.back.x * wall.inward.x + slope.back.y * wall.inward.y;
@@ -114,11 +114,11 @@ Mesh cut_under(Mesh mesh, const std::vector<RoofLine>& lines, double thickness) 
   return mesh;
 }
 
-void add_roof_panels(const Layout& layout, int surface, Model& model) {
+void add_roof_panels(const Layout& layout, const Catalog& catalog, int surface, Model& model) {
   constexpr double kThick = 0.04;
   int number = 0;
   for (const PlacedObject& object : layout.objects) {
-    if (!Catalog::builtin().entry_or_nearest(object.category).is(Trait::kRoofSlope)) continue;
+    if (!catalog.entry_or_nearest(object.category).is(Trait::kRoofSlope)) continue;
     const double w = m_from_mm(object.size.width) / 2, d = m_from_mm(object.size.depth) / 2, h = m_from_mm(object.size.height);
     std::vector<std::pair<double, double>> fields{{-w, w}};  // along the wall, but for windows
     for (const Space& space : object.spaces) {

@@ -1,6 +1,7 @@
 // Rooms under a sloping roof: the walls end where it comes down.
 #pragma once
 
+#include "layoutbox/catalog/catalog.h"
 #include "layoutbox/furnish/openings.h"
 #include "layoutbox/furnish/palette.h"
 #include "layoutbox/scene/layout.h"
@@ -16,12 +17,12 @@ struct RoofEdge {
   double height = 0;
   std::vector<RoofLine> lines;
 };
-RoofEdge roof_over(const Layout& layout, const WallFrame& wall, double height);
+RoofEdge roof_over(const Layout& layout, const Catalog& catalog, const WallFrame& wall, double height);
 
 // Takes off what is above the lines, and closes the edge.
 Mesh cut_under(Mesh mesh, const std::vector<RoofLine>& lines, double thickness);
 
 // What is over the rafters of each slope. Left out of pictures with the ceiling.
-void add_roof_panels(const Layout& layout, int surface, Model& model);
+void add_roof_panels(const Layout& layout, const Catalog& catalog, int surface, Model& model);
 
 }  // namespace layoutbox

@@ -115,12 +115,12 @@ Surface wall_surface(const Layout& layout, const Decor& decor, const std::string
   return colored(named_surface("plaster"), decor.wall);
 }
 
-void add_wall(const Layout& layout, const Decor& decor, std::size_t index, Palette& palette, Model& model) {
+void add_wall(const Layout& layout, const Catalog& catalog, const Decor& decor, std::size_t index, Palette& palette, Model& model) {
   const auto& walls = layout.room.walls;
   const Wall& wall = walls[index];
   const WallFrame frame(wall), before(walls[(index + walls.size() - 1) % walls.size()]), after(walls[(index + 1) % walls.size()]);
   const bool house = !decor.parapet || std::ranges::any_of(layout.room.openings, [&](const Opening& o) { return o.wall == wall.id; });
-  const RoofEdge roof = roof_over(layout, frame, m_from_mm(layout.room.height));
+  const RoofEdge roof = roof_over(layout, catalog, frame, m_from_mm(layout.room.height));
   const double height = house ? roof.height : std::min(kParapet, roof.height);
   std::vector<kit::Hole> holes;
   std::vector<std::pair<double, double>> skirting{{0, frame.length}};
@@ -162,7 +162,7 @@ void add_wall(const Layout& layout, const Decor& decor, std::size_t index, Palet
   model.nodes.push_back(std::move(node));
 }
 
-void add_ceiling(const Layout& layout, Palette& palette, Model& model) {
+void add_ceiling(const Layout& layout, const Catalog& catalog, Palette& palette, Model& model) {
   const double height = m_from_mm(layout.room.height);
   Node node;
   node.id = "ceiling";
@@ -170,17 +170,17 @@ void add_ceiling(const Layout& layout, Palette& palette, Model& model) {
   const int surface = palette.add(surface_for(layout, layout.room.ceiling_material, "plaster", false));
   node.parts.push_back({kit::prism(outline_of(layout.room), height, height + kSlab), surface});
   model.nodes.push_back(std::move(node));
-  add_roof_panels(layout, surface, model);
+  add_roof_panels(layout, catalog, surface, model);
 }
 
 }  // namespace
 
-void add_room_shell(const Layout& layout, const Decor& decor, Palette& palette, Model& model) {
+void add_room_shell(const Layout& layout, const Catalog& catalog, const Decor& decor, Palette& palette, Model& model) {
   if (layout.room.polygon.size() < 3) return;
   add_floor(layout, decor, palette, model);
-  for (std::size_t i = 0; i < layout.room.walls.size(); ++i) add_wall(layout, decor, i, palette, model);
+  for (std::size_t i = 0; i < layout.room.walls.size(); ++i) add_wall(layout, catalog, decor, i, palette, model);
   add_openings(layout, decor, palette, model);
-  add_ceiling(layout, palette, model);
+  add_ceiling(layout, catalog, palette, model);
 }
 
 }  // namespace layoutbox

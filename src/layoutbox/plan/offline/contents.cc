@@ -137,6 +137,13 @@ void RelationBuilder::add_hung_content(const Link& link, const Mention& target, 
   if (!link.after_comma && mount_of(host) == Mount::kFloor) share_out(link, beside ? R::kNextTo : R::kAbove, target.items, hosts);
 }
 
+// "accompanied by": not carried.
+bool RelationBuilder::is_joined_by(const Link& link) const { return one_of(document_.tokens[link.first].text, WordSet::kJoinedBy); }
+
+bool RelationBuilder::is_sat_on(const NounPhrase& noun) const {
+  return is_seat(catalog_, noun) || (noun.entry != nullptr && noun.entry->is(Trait::kEasySeat));
+}
+
 // One kind of thing that the hosts have.
 void RelationBuilder::add_content(const Link& link, const Mention& target, const std::vector<int>& hosts) {
   const NounPhrase &host = noun_of_item(hosts.front()), &thing = target.noun;
@@ -144,7 +151,7 @@ void RelationBuilder::add_content(const Link& link, const Mention& target, const
   const Mount mount = mount_of(thing);
   if (thing.entry != nullptr && thing.entry->thin && mount == Mount::kFloor) return each(R::kUnder);
   if (is_table(catalog_, host) && is_seat(catalog_, thing)) return add_seats(link, target.items, hosts);
-  const bool joined = one_of(document_.tokens[link.first].text, WordSet::kJoinedBy);
+  const bool joined = is_joined_by(link);
   const bool great = thing.entry != nullptr && thing.entry->back_to_wall;  // a wardrobe
   // "a table crowded with bottles and an alembic": whatever it is, a table's top has it.
   const bool on_table = is_table(catalog_, host) && !is_table(catalog_, thing) && mount == Mount::kFloor && !joined && !great;
@@ -152,7 +159,7 @@ void RelationBuilder::add_content(const Link& link, const Mention& target, const
                        (says_inside(link) && has_inside(host) && !is_heavy(catalog_, thing));
   if (joined && mount == Mount::kSurface && mount_of(host) == Mount::kSurface) return each(R::kNextTo);
   // "an armchair with a lamp": beside it.
-  const bool sat_on = is_seat(catalog_, host) || (host.entry != nullptr && host.entry->is(Trait::kEasySeat));
+  const bool sat_on = is_sat_on(host);
   if (is_lamp(catalog_, thing) && sat_on && mount != Mount::kCeiling && !link.holding) return each(R::kNextTo);
   const bool looked_at = thing.entry != nullptr && thing.entry->is(Trait::kScreen);
   // "a corner sofa with a TV": it looks at it.
@@ -172,8 +179,7 @@ void RelationBuilder::add_content(const Link& link, const Mention& target, const
 // … that stands on the floor by them.
 void RelationBuilder::add_standing_content(const Link& link, const Mention& target, const std::vector<int>& hosts) {
   const NounPhrase &host = noun_of_item(hosts.front()), &thing = target.noun;
-  const bool joined = one_of(document_.tokens[link.first].text, WordSet::kJoinedBy);
-  const bool sat_on = is_seat(catalog_, host) || (host.entry != nullptr && host.entry->is(Trait::kEasySeat));
+  const bool joined = is_joined_by(link), sat_on = is_sat_on(host);
   if (is_placed(target.items.front()) || (link.after_comma && !joined)) return;
   // "a kitchen run with an island": before it, with an aisle between, as islands stand anyhow.
   const bool island = thing.entry != nullptr && thing.entry->is(Trait::kOpenToRoom) && thing.entry->is(Trait::kCounter);

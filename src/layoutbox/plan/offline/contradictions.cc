@@ -39,12 +39,9 @@ bool contradict(const Relation& a, const Relation& b) {
 // "a room dominated by a bed against the wall", "centered on a fireplace in the back wall": so much of the room's middle is a manner of
 // speaking.
 void RelationBuilder::soften_middles() {
-  static constexpr std::string_view kSpeaking[] = {"dominated by", "centered on", "centered around",
-                                                   "built around", "centers on",  "centers around"};
   for (Relation& middle : scene_.relations) {
     if (middle.type != R::kCenterOfRoom || !middle.asked() || middle.targets.size() != 1) continue;
-    if (std::none_of(std::begin(kSpeaking), std::end(kSpeaking), [&](std::string_view words) { return middle.why.starts_with(words); }))
-      continue;
+    if (!words_.begin_with(middle, {WordSet::kAllAbout, WordSet::kAbout})) continue;
     const std::vector<std::size_t>& all = relations_of(middle.targets.front());
     if (std::none_of(all.begin(), all.end(),
                      [&](std::size_t r) { return at_wall(scene_.relations[r].type) && scene_.relations[r].asked(); }))
@@ -61,7 +58,7 @@ void RelationBuilder::center_on_walls() {
     const std::size_t first = static_cast<std::size_t>(&wall - scene_.relations.data());
     for (const std::size_t r : relations_of(wall.targets.front())) {
       Relation& middle = scene_.relations[r];
-      const bool of_wall = middle.why.ends_with("middle") || middle.why.ends_with("center");  // not "of the room"
+      const bool of_wall = words_.end_with(middle, WordSet::kMiddles);  // not "of the room"
       if (r == first || middle.type != R::kCenterOfRoom || middle.targets.size() != 1 || !of_wall) continue;
       wall.type = R::kCenteredOnWall;
       middle.hard = false;
@@ -79,7 +76,7 @@ void RelationBuilder::note_contradictions() {
     for (std::size_t a = 0; a < std::min(all.size(), kMost); ++a) {
       for (std::size_t b = 0; b < a; ++b) {
         const Relation &one = scene_.relations[all[b]], &other = scene_.relations[all[a]];
-        if (one.why == other.why || !one.asked() || !other.asked() || !contradict(one, other)) continue;
+        if (words_.are_one(one, other) || !one.asked() || !other.asked() || !contradict(one, other)) continue;
         scene_.notes.push_back(
             {"contradiction", "\"" + object.name + "\" cannot be \"" + one.why + "\" and \"" + other.why + "\"", "prompt"});
       }

@@ -59,10 +59,9 @@ void RelationBuilder::build_in_ovens() {
 void RelationBuilder::place_in_run(Relation& relation, const std::vector<std::string>& units) {
   constexpr Mm kRun = 4000;  // how far off an end of it is
   if (relation.targets.size() != 1 || !relation.asked() || !stands_in_run(relation.targets[0])) return;
-  const bool whole_room = relation.why.find("room") != std::string::npos || relation.why.find("kitchen") != std::string::npos;
-  if (relation.type == R::kCenterOfRoom && !whole_room) relation.type = R::kCenteredOnWall;
-  if (!relation.why.ends_with(" end")) return;
-  const bool left = relation.why.find(" left") != std::string::npos, right = relation.why.find(" right") != std::string::npos;
+  if (relation.type == R::kCenterOfRoom && !words_.have(relation, WordSet::kWholeRoom)) relation.type = R::kCenteredOnWall;
+  if (!words_.end_with(relation, "end")) return;
+  const bool left = words_.have(relation, "left"), right = words_.have(relation, "right");
   if (left == right) return;
   relation.references.clear();
   for (const std::string& unit : units) {
@@ -89,7 +88,8 @@ void RelationBuilder::share_out_over_run(const std::vector<std::string>& units) 
   }
   std::size_t over = 0;
   for (Relation& above : scene_.relations) {
-    const bool unsaid = above.type == R::kAbove && above.why == "above" && above.targets.size() == 1 && above.references.size() == 1;
+    const bool unsaid =
+        above.type == R::kAbove && words_.are_without_reference(above) && above.targets.size() == 1 && above.references.size() == 1;
     const SceneObject* cabinet = unsaid ? object_of(above.targets[0]) : nullptr;
     if (cabinet == nullptr || !catalog_.is_a(cabinet->category, "wall_cabinet") || !stands_in_run(above.references[0])) continue;
     if (over < low.size()) above.references = {low[over++]};
@@ -118,7 +118,8 @@ void RelationBuilder::stand_hobs() {
       return std::ranges::any_of(noun.entry->stands_on, carries) && catalog_.entry_or_nearest(object.category).spaces.empty();
     });
     const auto is_free_oven = [&](const SceneObject& object) {
-      return object.category == "oven" && !object.size && relations_of(object.id).empty() && noun_of_object(object).attributes.empty();
+      return catalog_.is_a(object.category, "oven") && !object.size && relations_of(object.id).empty() &&
+             noun_of_object(object).attributes.empty();
     };
     const auto oven = std::ranges::find_if(scene_.objects, is_free_oven);
     if (own.empty() && oven != scene_.objects.end()) {
@@ -136,7 +137,7 @@ void RelationBuilder::stand_hobs() {
   }
 }
 
-// "an island with three stools": as high as one sits there.
+// "an island with three stools": those that one sits on there, as high as that is.
 void RelationBuilder::raise_stools() {
   for (const Relation& at : scene_.relations) {
     if (at.references.size() != 1 || (!traits_of(at.type).around && at.type != R::kInFrontOf)) continue;
@@ -147,8 +148,9 @@ void RelationBuilder::raise_stools() {
     const CatalogEntry* high = row == seatings.end() ? nullptr : catalog_.find(row->seat);
     for (const std::string& seat : at.targets) {
       const auto object = std::ranges::find(scene_.objects, seat, &SceneObject::id);
-      if (high == nullptr || !high->id.ends_with("stool") || object == scene_.objects.end() || object->category != "stool") continue;
-      object->category = high->id;
+      if (high == nullptr || object == scene_.objects.end()) continue;
+      const CatalogEntry& named = catalog_.entry_or_nearest(object->category);
+      if (!named.is(Trait::kChair) && catalog_.is_a(high->id, named.id)) object->category = high->id;
     }
   }
 }

@@ -1,5 +1,6 @@
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/kin.h"
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
 #include "layoutbox/plan/offline/word_sets.h"
@@ -105,6 +106,11 @@ void NounPhraseReader::settle_kind(const PhrasePart& head, std::size_t head_inde
   const bool of_many = one_of(phrase_.head, WordSet::kStuff);
   const bool furniture = phrase_.entry != nullptr && phrase_.entry->mount != Mount::kSurface && head.last == head.first + 1 && !of_many;
   if (phrase_.vague && !phrase_.plural && furniture && tokens_[phrase_.first].text == "some") {
+    phrase_.count = 1;
+    phrase_.vague = false;
+  }
+  // "lots of worktop": a long one.
+  if (phrase_.vague && !phrase_.plural && phrase_.entry != nullptr && phrase_.entry->is(Trait::kCounter)) {
     phrase_.count = 1;
     phrase_.vague = false;
   }

@@ -44,12 +44,12 @@ class RoomPeople {
           std::max({mention(host).noun.seats, builder_.seats_said(mention(host)), 1});  // "tables in groups of four", "double desks"
       const std::vector<int> before = mention(host).items;
       builder_.grow(host, (people + at_each - 1) / at_each);
-      grow_contents(host, before);
+      grow_contents({host}, before);
       constexpr int kMostInRow = 12;
       if (rows && people > kMostInRow * mention(host).noun.rows) mention(host).noun.rows = 0;  // as many rows as there is room for
-      if (mention(host).noun.entry->id == "seat") become(host, *main);
+      if (one_of(mention(host).noun.head, WordSet::kPlainSeats)) become(host, *main);
       if (at_each > 1) return;
-      if (mention(host).noun.entry->id == "table") become(host, *main);  // "a classroom for 24 with tables"
+      if (is_plain_table(*mention(host).noun.entry, *main)) become(host, *main);  // "a classroom for 24 with tables"
     } else if (host >= 0 && (persons > 0 || !seats_follow)) {
       grow_seats(*needs, people);  // "a laboratory for 16 students with four benches, stools"
       return;
@@ -69,6 +69,11 @@ class RoomPeople {
  private:
   Mention& mention(int m) { return builder_.mention(m); }
 
+  // A table of no kind, where such tables are needed.
+  bool is_plain_table(const CatalogEntry& named, const CatalogEntry& needed) const {
+    return named.is(Trait::kTable) && !named.is(Trait::kDeskLike) && catalog_.is_a(needed.id, named.id);
+  }
+
   // The first mention of things like that, or -1: any desk for a desk, any bed for a bed.
   int named(const CatalogEntry& kind) const {
     for (std::size_t m = 0; m < document_.mentions.size(); ++m) {
@@ -77,7 +82,7 @@ class RoomPeople {
       const CatalogEntry* entry = one.noun.entry;
       const auto both = [&](Trait trait) { return kind.is(trait) && entry != nullptr && entry->is(trait); };
       // Where everybody has a desk, a meeting table is none.
-      const bool meeting = kind.is(Trait::kDeskLike) && entry != nullptr && !entry->is(Trait::kDeskLike) && entry->id != "table";
+      const bool meeting = kind.is(Trait::kDeskLike) && entry != nullptr && !entry->is(Trait::kDeskLike) && !is_plain_table(*entry, kind);
       const bool tables = both(Trait::kTable) && !meeting && !entry->is(Trait::kOccasional);
       // A teacher's desk and a reception desk are none of those that everybody has.
       if (entry != nullptr && entry->is(Trait::kOpenToRoom) && !kind.is(Trait::kOpenToRoom)) continue;
@@ -102,24 +107,8 @@ class RoomPeople {
     }
     if (kinds.size() < 2) return false;
     for (const int kind : kinds) builder_.grow(kind, std::max(1, people / seats));
-    share_contents(kinds);
+    grow_contents(kinds, {});
     return true;
-  }
-
-  // "tables for two and four with tablecloths": each of them has one.
-  void share_contents(const std::vector<int>& hosts) {
-    int all = 0;
-    for (const int host : hosts) all += static_cast<int>(mention(host).items.size());
-    for (Link& link : document_.links) {
-      if (link.kind != Link::Kind::kHave || !contains(link.references, hosts.back())) continue;
-      for (const int m : link.targets) {
-        const NounPhrase& noun = mention(m).noun;
-        const bool carried = noun.kind == NounKind::kObject && mount_of(noun) == Mount::kSurface;
-        if (!carried || !noun.plural || noun.count > 0) continue;
-        builder_.grow(m, all);
-        link.references = hosts;
-      }
-    }
   }
 
   bool stands_at_counter(int seat) const {
@@ -135,19 +124,25 @@ class RoomPeople {
     return seats >= 0;
   }
 
-  // "computer tables with PCs" for twelve: as many PCs; "desks, each with a chair" where `before` were all of them: as many chairs.
-  void grow_contents(int host, const std::vector<int>& before) {
+  // "computer tables with PCs" for twelve: as many PCs; "desks, each with a chair" where `before` were all of them: as many chairs;
+  // "tables for two and four with tablecloths": each of both kinds has one.
+  void grow_contents(const std::vector<int>& hosts, const std::vector<int>& before) {
+    const std::vector<int> last = mention(hosts.back()).items;
     for (Mention& each : document_.mentions) {
-      if (before.size() > 1 && each.items == before) each.items = mention(host).items;
+      if (before.size() > 1 && each.items == before) each.items = last;
     }
-    for (const Link& link : document_.links) {
-      const auto is_host = [&](int reference) { return mention(reference).items == mention(host).items; };
-      if (link.kind != Link::Kind::kHave || std::ranges::none_of(link.references, is_host)) continue;
+    int all = 0;
+    for (const int host : hosts) all += static_cast<int>(mention(host).items.size());
+    for (Link& link : document_.links) {
+      const auto is_last = [&](int reference) { return mention(reference).items == last; };
+      if (link.kind != Link::Kind::kHave || std::ranges::none_of(link.references, is_last)) continue;
       for (const int m : link.targets) {
         const NounPhrase& noun = mention(m).noun;
-        const bool carried = noun.kind == NounKind::kObject && mount_of(noun) == Mount::kSurface;
+        const bool carried = noun.kind == NounKind::kObject && mount_of(noun) == Mount::kSurface && noun.plural && noun.count == 0;
         const bool each = !noun.plural && before.size() > 1 && mention(m).items.size() == before.size();
-        if (each || (carried && noun.plural && noun.count == 0)) builder_.grow(m, static_cast<int>(mention(host).items.size()));
+        if (!carried && !each) continue;
+        builder_.grow(m, all);
+        if (hosts.size() > 1) link.references = hosts;
       }
     }
   }

@@ -120,6 +120,7 @@ void RelationBuilder::add(const Link& link, R type, std::vector<std::string> tar
   relation.hard = !link.soft;
   relation.origin = link.assumed ? Origin::kAssumed : link.concluded ? Origin::kConcluded : Origin::kAsked;
   relation.why = words_between(document_, link.first, link.last);
+  words_.keep(relation.id, link);
   // "along a wall" is looser than "against" it.
   const std::string& first_word = document_.tokens[link.first].text;
   if (type == R::kAgainstWall && (first_word == "along" || first_word.starts_with("lin"))) relation.parameters.gap = 300;

@@ -13,13 +13,14 @@
 #include "layoutbox/plan/offline/document.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/relation_builder.h"
+#include "layoutbox/plan/offline/relation_words.h"
 
 namespace layoutbox::offline {
 
 class RelationBuilder {
  public:
   RelationBuilder(const Lexicon& lexicon, Document& document, SceneGraph& scene)
-      : catalog_(lexicon.catalog()), document_(document), scene_(scene) {
+      : catalog_(lexicon.catalog()), document_(document), scene_(scene), words_(document.tokens) {
     for (std::size_t i = 0; i < scene_.objects.size(); ++i) objects_.emplace(scene_.objects[i].id, i);
   }
   void run();
@@ -131,6 +132,8 @@ class RelationBuilder {
   void share_out(const Link& link, RelationType type, const std::vector<int>& items, const std::vector<int>& hosts);
   void add_seats(const Link& link, const std::vector<int>& seats, const std::vector<int>& tables);
   void add_hung_content(const Link& link, const Mention& target, const std::vector<int>& hosts);
+  bool is_joined_by(const Link& link) const;
+  bool is_sat_on(const NounPhrase& noun) const;
   void add_content(const Link& link, const Mention& target, const std::vector<int>& hosts);
   void add_standing_content(const Link& link, const Mention& target, const std::vector<int>& hosts);
   // "holding", "displaying": the host carries it, whatever it is.
@@ -249,6 +252,7 @@ class RelationBuilder {
   const Catalog& catalog_;
   Document& document_;
   SceneGraph& scene_;
+  RelationWords words_;
   std::vector<std::pair<std::string, Mm>> heights_;
   std::unordered_set<int> on_floor_;  // mentions that are told to be there: "… and a basket on the floor"
   // Where in scene_.relations things stand; keeps long texts linear. By what they say, and by each target.

@@ -92,10 +92,9 @@ void RelationBuilder::add_habit(R type, std::vector<std::string> targets, std::v
 
 // "the desks face the whiteboard, a bookshelf stands at the back": the front is where the board is, if the words leave that open.
 void RelationBuilder::add_front() {
-  const auto says_front_or_back = [](const Relation& r) {
-    const bool wall =
-        !r.references.empty() && (r.references.front() == "front" || r.references.front() == "back") &&
-        (r.why.find("front") != std::string::npos || r.why.find("back") != std::string::npos || r.why.find("rear") != std::string::npos);
+  const auto says_front_or_back = [&](const Relation& r) {
+    const bool wall = !r.references.empty() && (r.references.front() == "front" || r.references.front() == "back") &&
+                      words_.have(r, WordSet::kFrontOrBack);
     return (r.type == R::kInRegion && (r.parameters.region == RoomRegion::kFront || r.parameters.region == RoomRegion::kBack)) || wall;
   };
   if (std::none_of(scene_.relations.begin(), scene_.relations.end(), says_front_or_back)) return;
@@ -133,7 +132,7 @@ void RelationBuilder::add_end_walls() {
     if (region.type != R::kInRegion || region.targets.size() != 1 || region.origin != Origin::kAsked) continue;
     const std::string_view end = region.parameters.region ? name_of(*region.parameters.region) : std::string_view();
     if (!one_of(end, {"back", "front", "left", "right"})) continue;
-    if (region.why.find(" half") != std::string::npos) continue;  // anywhere in it
+    if (words_.have(region, "half")) continue;  // anywhere in it
     const SceneObject* object = object_of(region.targets.front());
     const CatalogEntry* entry = object == nullptr ? nullptr : catalog_.find(object->category);
     if (entry == nullptr) continue;
@@ -217,7 +216,7 @@ void RelationBuilder::head_row_of_beds() {
 
 // "two rows of four desks back to back": an island of two rows, which is how such desks stand anyhow.
 void RelationBuilder::make_islands() {
-  const auto backs = [](const Relation& r) { return r.why.find("back to back") != std::string::npos; };
+  const auto backs = [&](const Relation& r) { return words_.have_phrase(r, {"back", "to", "back"}); };
   const auto row = std::ranges::find_if(scene_.relations, [&](const Relation& r) { return r.type == R::kRow && backs(r); });
   if (row == scene_.relations.end()) return;
   const std::vector<std::string> desks = row->targets;

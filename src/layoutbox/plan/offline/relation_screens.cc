@@ -12,7 +12,7 @@ using R = RelationType;
 void RelationBuilder::seat_viewers() {
   for (Relation& at : scene_.relations) {
     if (at.type != R::kAgainstWall || at.targets.size() != 1 || at.references.size() != 1) continue;
-    if (at.why.find("wall") != std::string::npos) continue;  // said of the seat itself
+    if (!at.asked() || words_.have(at, WordSet::kWalls)) continue;  // said of the seat itself, or that such things stand at walls
     const SceneObject* seat = object_of(at.targets[0]);
     const CatalogEntry* entry = seat == nullptr ? nullptr : noun_of_object(*seat).entry;
     if (entry == nullptr || !(entry->is(Trait::kEasySeat) || entry->is(Trait::kCenterPiece))) continue;

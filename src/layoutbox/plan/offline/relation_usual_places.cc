@@ -66,9 +66,9 @@ void RelationBuilder::lay_beds_along() {
   };
   for (Relation& r : scene_.relations) {
     const bool at_wall = r.type == R::kAgainstWall && r.targets.size() == 1 && is_climbed_into(r.targets[0]);
-    if (at_wall && r.why.find("head") == std::string::npos) r.type = R::kSideAgainstWall;
+    if (at_wall && !words_.have(r, WordSet::kHeadEnds)) r.type = R::kSideAgainstWall;
   }
-  const bool apart = beds.size() == 2 && beds[0]->references != beds[1]->references && beds[0]->why == beds[1]->why;
+  const bool apart = beds.size() == 2 && beds[0]->references != beds[1]->references && words_.are_one(*beds[0], *beds[1]);
   for (Relation* r : beds) {
     if (apart) r->type = R::kSideAgainstWall;
   }
@@ -90,7 +90,7 @@ void RelationBuilder::stand_under_counters() {
     std::swap(relation.targets, relation.references);
     relation.type = R::kUnder;
     // "a washer and a dryer side by side, a counter above them": both.
-    const bool them = relation.why.ends_with("them"), one = relation.targets.size() == 1;
+    const bool them = words_.have(relation, "them"), one = relation.targets.size() == 1;
     for (const Relation& beside : scene_.relations) {
       if (!them || !one || beside.type != R::kNextTo || beside.targets != relation.targets || beside.references.size() != 1) continue;
       if (stands(beside.references.front())) relation.targets.push_back(beside.references.front());
@@ -162,7 +162,7 @@ void RelationBuilder::share_doors() {
   for (std::size_t r = 1; r < scene_.relations.size(); ++r) {
     Relation& relation = scene_.relations[r];
     const SceneObject *first = one_that_stands(scene_.relations[r - 1]), *second = one_that_stands(relation);
-    if (first == nullptr || second == nullptr || scene_.relations[r - 1].why != relation.why || relation.parameters.max) continue;
+    if (first == nullptr || second == nullptr || !words_.are_one(scene_.relations[r - 1], relation) || relation.parameters.max) continue;
     if (first->category != second->category) relation.parameters.max = kBesideOther;
   }
 }

@@ -37,9 +37,7 @@ Finish finish_at(const std::vector<Token>& tokens, std::size_t i) {
   }();
   Finish best;
   for (const auto& [words, where] : kFinishes) {
-    bool said = i + words.size() <= tokens.size() && words.size() > best.length;
-    for (std::size_t w = 0; said && w < words.size(); ++w) said = tokens[i + w].text == words[w];
-    if (said) best = {words.size(), where};
+    if (words.size() > best.length && stand_at(tokens, i, words)) best = {words.size(), where};
   }
   return best;
 }

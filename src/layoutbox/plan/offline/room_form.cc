@@ -34,17 +34,10 @@ class FormReader {
   std::string form_at(std::size_t i) const {
     for (const WordList::Member form : word_list("words_room").at("room_forms")) {
       for (const WordList::Member word : form.value) {
-        if (says_at(i, words_of(word.value.text()))) return std::string(form.key);
+        if (stand_at(tokens_, i, words_of(word.value.text()))) return std::string(form.key);
       }
     }
     return {};
-  }
-
-  bool says_at(std::size_t i, const std::vector<std::string>& words) const {
-    for (std::size_t w = 0; w < words.size(); ++w) {
-      if (i + w >= tokens_.size() || tokens_[i + w].text != words[w]) return false;
-    }
-    return true;
   }
 
   bool is_of(std::size_t i, Class word_class) const { return lexicon_.find(tokens_, i, word_class).length > 0; }

@@ -42,7 +42,7 @@ class TableSeats {
 
   static bool names_things(const Mention& mention) { return mention.introduces && mention.noun.kind == NounKind::kObject; }
   bool names_seat(const Mention& mention) const { return names_things(mention) && is_seat(catalog_, mention.noun); }
-  static bool is_stool(const NounPhrase& noun) { return one_of(noun.head, {"stool", "barstool"}); }
+  static bool is_stool(const NounPhrase& noun) { return one_of(noun.head, WordSet::kStools); }
 
   bool is_upright(const NounPhrase& noun) const {
     const bool easy = noun.entry != nullptr && noun.entry->is(Trait::kEasySeat);  // "a lounge chair"
@@ -154,11 +154,16 @@ class TableSeats {
     return first;
   }
 
+  bool is_for_several(const CatalogEntry& table) {
+    const Seating* seating = seating_at(table);
+    return seating != nullptr && !seating->seat.empty() && seats_at_size(*seating, false, table.size.usual) > 1;
+  }
+
   // How many stand at each of those tables.
-  static int places_at(const NounPhrase& host, const NounPhrase& seat) {
+  int places_at(const NounPhrase& host, const NounPhrase& seat) {
     const bool one_each = host.entry->is(Trait::kDeskLike) || host.entry->is(Trait::kDesk) || host.entry->is(Trait::kCounter);
     const bool flanks = seat.entry->is(Trait::kChair) || seat.head == "bench" ||  // "long tables with benches"
-                        (is_stool(seat) && one_of(host.entry->id, {"table", "dining_table", "bistro_table", "bar_table"}));
+                        (is_stool(seat) && is_for_several(*host.entry));
     const bool at_sides = host.entry->is(Trait::kTable) && host.entry->used_sides.size() > 1 && flanks;
     return one_each || !at_sides ? 1 : 2;
   }

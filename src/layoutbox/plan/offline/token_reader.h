@@ -25,12 +25,7 @@ class TokenReader {
   }
   bool is(std::size_t at, WordSet set) const { return at < tokens_.size() && one_of(tokens_[at].text, set); }
   // All of them do, one after the other.
-  bool are(std::size_t at, Words words) const {
-    for (const std::string_view word : words) {
-      if (at >= tokens_.size() || tokens_[at++].text != word) return false;
-    }
-    return true;
-  }
+  bool are(std::size_t at, Words words) const { return stand_at(tokens_, at, words); }
   // An article, "my", or a number.
   bool is_article(std::size_t at) const {
     return at < tokens_.size() && (lexicon_.is(tokens_[at], WordClass::kIndefinite) || lexicon_.is(tokens_[at], WordClass::kDefinite) ||

@@ -21,6 +21,15 @@ struct Token {
 // Splits a prompt. Hyphens within a word and possessive apostrophes part it ("bed's" → bed, 's). REQUIRES: valid UTF-8.
 std::vector<Token> tokenize(std::string_view prompt);
 
+// All of these words stand from `at` on, one after the other.
+template <class Words>
+bool stand_at(const std::vector<Token>& tokens, std::size_t at, const Words& words) {
+  for (const std::string_view word : words) {
+    if (at >= tokens.size() || tokens[at++].text != word) return false;
+  }
+  return true;
+}
+
 // "the bin's under the sink": 's that is no possessive becomes "is". After spelling is corrected.
 void part_contractions(std::vector<Token>& tokens);
 
