@@ -197,14 +197,18 @@ bool Chunker::read_lettered_size() {
   return true;
 }
 
-// "a sofa 220 cm": its width, where the length ends what is said of it.
+// "a sofa 220 cm", "a sofa (220 cm)": its width, where the length ends what is said of it.
 bool Chunker::read_bare_length() {
-  const auto measure = previous() == ChunkKind::kNoun ? read_measure(lexicon_, tokens_, i_) : std::nullopt;
-  if (!measure || chunks_.back().noun.kind != NounKind::kObject || chunks_.back().noun.size.any()) return false;
+  const bool bracketed = i_ > 0 && tokens_[i_ - 1].text == "(" && chunks_.size() > 1;
+  const Chunk* const said_of = chunks_.empty() ? nullptr : &chunks_[chunks_.size() - (bracketed ? 2 : 1)];
+  const bool follows = said_of != nullptr && said_of->kind == ChunkKind::kNoun && (bracketed || previous() == ChunkKind::kNoun);
+  const auto measure = follows ? read_measure(lexicon_, tokens_, i_) : std::nullopt;
+  if (!measure || said_of->noun.kind != NounKind::kObject || said_of->noun.size.any()) return false;
   const std::size_t end = i_ + measure->length;
   constexpr double kShortest = 0.25, kLongest = 8;  // metres
   if (measure->metres < kShortest || measure->metres > kLongest) return false;
-  const bool ends = end >= tokens_.size() || tokens_[end].text == "," || tokens_[end].ends_sentence || tokens_[end].text == "and";
+  const bool ends =
+      end >= tokens_.size() || tokens_[end].text == (bracketed ? ")" : ",") || tokens_[end].ends_sentence || tokens_[end].text == "and";
   if (!ends) return false;
   add(ChunkKind::kSize, measure->length).size.width = measure->metres;
   return true;
@@ -212,7 +216,8 @@ bool Chunker::read_bare_length() {
 
 bool Chunker::read_size_chunk() {
   SaidSize size;
-  if (const std::size_t taken = previous() == ChunkKind::kStop ? 0 : read_size_of(lexicon_, tokens_, i_, size); taken > 0) {
+  if (const std::size_t taken = previous() == ChunkKind::kStop ? 0 : read_size_of(lexicon_, tokens_, i_, size);
+      taken > 0 && !(lexicon_.is(tokens_[i_], Class::kIndefinite) && noun_goes_on(lexicon_, tokens_, i_ + taken))) {
     add(ChunkKind::kSize, taken).size = size;
     return true;
   }

@@ -2,7 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string_view>
+
+#include "layoutbox/base/words.h"
+#include "layoutbox/plan/offline/noun_phrase_parts.h"
+#include "layoutbox/plan/offline/token_reader.h"
 
 namespace layoutbox::offline {
 namespace {
@@ -55,32 +60,110 @@ std::size_t lead_of(const std::vector<Token>& tokens, std::size_t at) {
   return at;
 }
 
-// "two chairs, no wait, three, beside a table": the last number counts.
-void read_numbers_taken_back(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
-  constexpr std::size_t kBack = 8;  // tokens
-  std::vector<Token>& tokens = document.tokens;
-  for (std::size_t i = 1; i < tokens.size(); ++i) {
-    const std::size_t marker = tokens[i - 1].text == "," ? marker_at(tokens, i) : 0;
-    std::size_t number = i + marker;
-    while (marker > 0 && number < tokens.size() && tokens[number].text == ",") ++number;
-    if (marker == 0 || number + 1 >= tokens.size() || !is_count(lexicon, tokens[number]) ||
-        tokens[number + 1].kind != Token::Kind::kPunctuation)
-      continue;
-    std::size_t counted = i - 1;
-    while (counted > 0 && counted + kBack > i && !is_count(lexicon, tokens[counted])) --counted;
-    if (!is_count(lexicon, tokens[counted])) continue;
-    tokens[counted].text = tokens[number].text;
-    tokens[counted].kind = tokens[number].kind;
-    tokens[counted].number = tokens[number].number;
-    std::fill(skip.begin() + static_cast<std::ptrdiff_t>(i) - 1, skip.begin() + static_cast<std::ptrdiff_t>(number) + 2, true);
-    if (tokens[number + 1].ends_sentence) skip[number + 1] = false;
+// What is said again: "two chairs, no wait, three", "a sofa, I mean a loveseat". What it is said instead of is left out.
+class Retakes : public TokenReader {
+ public:
+  using TokenReader::TokenReader;
+
+  void run() {
+    for (std::size_t i = 1; i < tokens_.size(); ++i) {
+      const std::size_t again = past_markers(i);
+      if (again > i && !skip_[i] && !take_number(i, again)) take_thing(i, again);
+    }
   }
-}
+
+ private:
+  static constexpr std::size_t kReachBack = 14;  // tokens
+  struct Named {
+    std::size_t first = 0, noun = 0, last = 0;  // its first word, that of its name, and where it ends
+  };
+
+  // Where what is said instead begins, after all that takes back what was said; `at` itself where nothing does.
+  std::size_t past_markers(std::size_t at) const {
+    const bool parted = tokens_[at - 1].kind == Token::Kind::kPunctuation;
+    if (!parted) return are(at, {"or", "rather"}) ? at + 2 : at;
+    bool takes_back = false, only_no = true;
+    std::size_t t = at;
+    for (;;) {
+      const std::size_t taken = marker_at(tokens_, t);
+      const bool mean = are(t, {"i", "mean"});
+      if (taken > 0 || mean || is(t, {"actually", "sorry", "rather", "wait", "no"})) {
+        only_no = only_no && is(t, {"no"}) && taken == 0;
+        takes_back = true;
+        t += taken > 0 ? taken : mean ? 2 : 1;
+      } else if (is(t, {"oh", "hmm", "um", "well", "or"}) || (takes_back && is(t, {",", "just", "only", "better"}))) {
+        ++t;
+      } else {
+        break;
+      }
+    }
+    if (!takes_back || (only_no && !is(t - 1, {",", "just", "only"}))) return at;  // "no sofa"
+    return t;
+  }
+
+  std::size_t past_sign(std::size_t at) const { return is(at, {",", ")"}) ? at + 1 : at; }
+
+  // "…, no wait, three, beside a table": the last number counts.
+  bool take_number(std::size_t marker, std::size_t number) {
+    if (number >= tokens_.size() || !is_count(lexicon_, tokens_[number]) || !ends(number + 1) || tokens_[marker - 1].ends_sentence)
+      return false;
+    std::size_t counted = marker - 1;
+    while (counted > 0 && counted + kReachBack > marker && !is_count(lexicon_, tokens_[counted])) --counted;
+    if (!is_count(lexicon_, tokens_[counted])) return false;
+    set_count(counted, number);
+    leave_out(marker - 1, past_sign(number + 1));
+    return true;
+  }
+
+  void set_count(std::size_t to, std::size_t from) {
+    tokens_[to].text = tokens_[from].text;
+    tokens_[to].kind = tokens_[from].kind;
+    tokens_[to].number = tokens_[from].number;
+  }
+
+  // The thing that is named from `at` on, with its article or number.
+  std::optional<Named> named_at(std::size_t at) const {
+    constexpr std::size_t kAdjectives = 3;
+    if (!is_article(at)) return std::nullopt;
+    for (std::size_t noun = at + 1; noun <= at + 1 + kAdjectives && !ends(noun); ++noun) {
+      const Match match = lexicon_.find(tokens_, noun);
+      if (meaning_of(match, Class::kObject) != nullptr) return Named{at, noun + match.length - 1, noun + match.length};
+      if (attribute_of(match) == nullptr && (match.length > 0 || lexicon_.find_phrase(tokens_, noun).length > 0)) break;
+    }
+    return std::nullopt;
+  }
+
+  // The thing that was named last before `marker`, or that of the same name.
+  std::optional<Named> named_before(std::size_t marker, std::string_view name) const {
+    for (std::size_t at = marker - 1; at > 0 && at + kReachBack > marker; --at) {
+      const std::optional<Named> named = named_at(at - 1);
+      if (named && named->last < marker && (name.empty() || singular_of(tokens_[named->noun].text) == name)) return named;
+    }
+    return std::nullopt;
+  }
+
+  // "…, no, sorry, one armchair": instead of what was named right before, or as many of what is called the same.
+  void take_thing(std::size_t marker, std::size_t at) {
+    const std::optional<Named> now = named_at(at);
+    if (!now || is(now->last, {"too", "also", "as", "instead"})) return;
+    const bool parted = tokens_[marker - 1].kind == Token::Kind::kPunctuation;
+    const std::size_t sign = parted ? marker - 1 : marker;
+    const std::optional<Named> same = named_before(marker, singular_of(tokens_[now->noun].text));
+    const std::optional<Named> last = tokens_[sign].ends_sentence ? same : named_before(marker, {});
+    if (last && last->last == sign) {
+      leave_out(last->first, at);
+      if (is(now->last, {")"})) leave_out(now->last, now->last + 1);
+    } else if (same) {
+      set_count(same->first, now->first);
+      leave_out(tokens_[sign].ends_sentence ? marker : sign, past_sign(now->last));
+    }
+  }
+};
 
 }  // namespace
 
 void read_corrected_counts(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
-  read_numbers_taken_back(lexicon, document, skip);
+  Retakes(lexicon, document.tokens, skip).run();
   std::vector<Token>& tokens = document.tokens;
   for (std::size_t i = 1; i + 2 < tokens.size(); ++i) {
     if (!makes(tokens, i) || !is_count(lexicon, tokens[i + 2])) continue;

@@ -193,6 +193,11 @@ bool noun_goes_on(const Lexicon& lexicon, std::span<const Token> tokens, std::si
 
 std::size_t read_size_before(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at, SaidSize& size) {
   if (const std::size_t named = read_size(lexicon, tokens, at, size); named > 0) return named;
+  if (words_at(tokens, at, {"diameter"})) {  // "a diameter 60 cm table"
+    SaidSize across;
+    const std::size_t length = read_size_of(lexicon, tokens, at, across);
+    if (length > 0 && noun_goes_on(lexicon, tokens, at + length)) return size = across, length;
+  }
   // "a 60x120 desk": centimetres, where no unit is said and metres are too many.
   constexpr double kFewest = 20, kCentimetre = 0.01;
   const SidesRead read = read_sides(lexicon, tokens, at);

@@ -40,6 +40,7 @@ bool NounPhraseReader::read_digits() {
   phrase_.count = heaped_.empty() ? std::max(phrase_.count, 1) * static_cast<int>(value) : static_cast<int>(value);
   heaped_ = {};
   ++i_;
+  if (at_word("x") && i_ + 1 < tokens_.size() && tokens_[i_ + 1].kind == Token::Kind::kWord) ++i_;  // "4 x chair"
   // "2-3 chairs", "2 to 3": the smaller number, at least.
   if (more() && token().kind == Token::Kind::kNumber && hyphenated(i_)) ++i_, phrase_.at_least = true;
   if (at_word("or")) read_upper_end();

@@ -323,7 +323,7 @@ void NounPhraseReader::read_parts() {
       }
       break;
     }
-    if (token().kind == Token::Kind::kNumber && take_size()) continue;
+    if ((token().kind == Token::Kind::kNumber || at_word("diameter")) && take_size()) continue;
     if (count_follows() || !read_part()) break;
   }
 }

@@ -86,14 +86,15 @@ bool NounPhraseReader::names_set() const {
          (i_ + 1 >= tokens_.size() || tokens_[i_ + 1].kind == Token::Kind::kPunctuation || lexicon_.is(tokens_[i_ + 1], Class::kAnd));
 }
 
-// "light-filled", "hand-knotted", "ladder-back", "ride-on": one adjective, whatever its first word is.
+// "light-filled", "hand-knotted", "ladder-back", "ride-on", "half-open": one adjective, whatever its first word is.
 bool NounPhraseReader::read_compound_adjective(const Match& match) {
   if (match.length > 1 || i_ + 1 >= tokens_.size() || !hyphenated(i_ + 1) || token().kind != Token::Kind::kWord) return false;
   static constexpr std::string_view kEnds[] = {"style", "free", "on",  "up",    "in",   "out",  "off",  "down",  "over", "thrown",
                                                "made",  "spun", "cut", "woven", "sewn", "worn", "hewn", "drawn", "blown"};
   const std::string& end = tokens_[i_ + 1].text;
-  const bool adjective =
-      end.ends_with("ed") || end.ends_with("ing") || std::find(std::begin(kEnds), std::end(kEnds), end) != std::end(kEnds);
+  const bool halfway = one_of(token().text, {"half", "semi"}) && (word_form(end) == WordForm::kAdjective || end.ends_with("en"));
+  const bool adjective = halfway || end.ends_with("ed") || end.ends_with("ing") || end == "open" ||
+                         std::find(std::begin(kEnds), std::end(kEnds), end) != std::end(kEnds);
   const bool side = has(lexicon_.find(tokens_, i_ + 1), Class::kSide) && has(lexicon_.find(tokens_, i_ + 2), Class::kObject);
   if ((!adjective && !side) || lexicon_.find(tokens_, i_ + 1, Class::kObject).length > 0) return false;
   if (lexicon_.find_phrase(tokens_, i_).length > 1) return false;  // "close-up", "in-between"

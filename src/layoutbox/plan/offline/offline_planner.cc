@@ -6,6 +6,7 @@
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/normalize.h"
 #include "layoutbox/plan/offline/absent.h"
+#include "layoutbox/plan/offline/alternatives.h"
 #include "layoutbox/plan/offline/built_ins.h"
 #include "layoutbox/plan/offline/clusters.h"
 #include "layoutbox/plan/offline/corrections.h"
@@ -80,6 +81,7 @@ class OfflinePlanner final : public Planner {
     read_seats_said(lexicon_, document, skip);
     read_labels(lexicon_, document, skip);
     read_corrected_counts(lexicon_, document, skip);
+    read_alternatives(lexicon_, document, skip);
     read_said_counts(lexicon_, document, skip);
     read_courtesies(lexicon_, document, skip);
     read_requests(lexicon_, document, skip);

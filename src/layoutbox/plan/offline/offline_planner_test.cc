@@ -97,7 +97,8 @@ TEST_F(OfflinePlannerTest, SizesOfThingsInTheirUsualForms) {
   EXPECT_EQ(usual("A 1 1/2 meter desk.").width, 1500);
   EXPECT_EQ(usual("A 55-inch TV.").width, 1218);
   EXPECT_EQ(usual("A 48 inch round dining table.").depth, 1219);
-  for (const char* text : {"A table with a diameter of 1.2 m.", "A table 120cm in diameter.", "A table, 1.2 meters by 1.2."}) {
+  for (const char* text : {"A table with a diameter of 1.2 m.", "A table 120cm in diameter.", "A table, 1.2 meters by 1.2.",
+                           "A \u00D8120 cm table.", "A table, \u00D8 120 cm.", "Table dia 120 cm.", "Table diam. 120 cm."}) {
     EXPECT_EQ(usual(text).width, 1200) << text;
     EXPECT_EQ(usual(text).depth, 1200) << text;
   }
@@ -106,6 +107,7 @@ TEST_F(OfflinePlannerTest, SizesOfThingsInTheirUsualForms) {
   EXPECT_EQ(usual("A half-metre wide side table.").width, 500);
   EXPECT_EQ(usual("A desk of at least 1.6 m width.").width, 1600);
   EXPECT_EQ(usual("A 1m20 wide desk.").width, 1200);
+  EXPECT_EQ(usual("Desk (140 cm), bed.").width, 1400);
   EXPECT_EQ(usual("A dining table, 2400 mm long, 1000 mm wide.").depth, 1000);
 }
 

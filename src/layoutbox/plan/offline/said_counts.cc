@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "layoutbox/base/words.h"
+#include "layoutbox/plan/offline/noun_phrase_parts.h"
 
 namespace layoutbox::offline {
 namespace {
@@ -17,6 +20,7 @@ class SaidCounts {
       : lexicon_(lexicon), tokens_(document.tokens), readings_(document.readings), skip_(skip) {}
 
   void run() {
+    read_pairs();
     for (std::size_t i = 1; i < tokens_.size(); ++i) {
       read_as_many(i);
       read_quantity(i);
@@ -109,11 +113,40 @@ class SaidCounts {
     tokens_[i].kind = Token::Kind::kWord;
   }
 
+  // "table one, chair four, lamp two": the numbers of what is named without article, in the order of other languages. One alone is one
+  // only where it is several: "table one" may be a name.
+  void read_pairs() {
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;  // the name's first word, the number
+    for (std::size_t i = 1; i < tokens_.size(); ++i) {
+      if (const std::size_t first = name_before_count(i); first < i) pairs.emplace_back(first, i);
+    }
+    for (const auto& [first, number] : pairs) {
+      const bool several = !lexicon_.is(tokens_[number], WordClass::kNumber) ? is_plural(tokens_[number - 1].text) : !is(number, "one");
+      if (pairs.size() > 1 || several) bring_forward(first, number);
+    }
+  }
+
+  // Where the name of a thing begins that ends in front of the number at `number` and opens an item of a list; `number` where none does.
+  std::size_t name_before_count(std::size_t number) const {
+    constexpr std::size_t kName = 4;
+    const bool over = ends(number + 1) || lexicon_.is(tokens_[number + 1], WordClass::kAnd) || is(number + 1, "also");
+    if (!is_count(number) || !over || !is_word(number - 1)) return number;
+    for (std::size_t first = number - 1; first + kName >= number; --first) {
+      const Match match = lexicon_.find(tokens_, first);
+      const bool named = meaning_of(match, WordClass::kObject) != nullptr && first + match.length == number;
+      const bool opens = first == 0 || !is_word(first - 1) || lexicon_.is(tokens_[first - 1], WordClass::kAnd) ||
+                         lexicon_.is(tokens_[first - 1], WordClass::kBe) || lexicon_.is(tokens_[first - 1], WordClass::kHave);
+      if (named && opens && tokens_[first].kind == Token::Kind::kWord) return first;
+      if (first == 0 || !is_word(first - 1)) break;
+    }
+    return number;
+  }
+
   // "min. 6", "4 no. chairs": no sentence ends there.
   void read_shortened(std::size_t i) {
     // "on the shelf minimum six shoes": no shelf of that name.
     if (is_one_of(i, {"minimum", "maximum", "min", "max"}) && is_count(i + 1) && is_word(i - 1)) leave_out(i, i + 1);
-    const bool bound = is_one_of(i, {"min", "max", "approx", "ca"}) && is(i + 1, ".") && is_count(i + 2);
+    const bool bound = is_one_of(i, {"min", "max", "approx", "ca", "diameter"}) && is(i + 1, ".") && is_count(i + 2);
     if (bound) leave_out(i + 1, i + 2);
     const bool numero = is_one_of(i, {"no", "nos", "pcs", "pc"}) && is(i + 1, ".") && tokens_[i - 1].kind == Token::Kind::kNumber;
     const bool goes_on = is_one_of(i + 2, {","}) || (is_word(i + 2) && !tokens_[i + 2].capital);

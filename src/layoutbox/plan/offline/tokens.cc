@@ -243,6 +243,9 @@ class Tokenizer {
       at_ += first.size;
     } else if (is_digit(first.value) || (first.value == '.' && digit_at(at_ + 1) && !token.glued)) {
       take_number(token);
+    } else if (const std::size_t sign = diameter_sign(); sign > 0) {
+      token.text = "diameter";
+      at_ += sign;
     } else if (is_letter(first.value)) {
       take_word(token);
       if (ends_dimensions(token)) return;
@@ -254,6 +257,16 @@ class Tokenizer {
     }
     token.end = at_;
     tokens_.push_back(std::move(token));
+  }
+
+  // "Ø 80 cm": the bytes of a sign of the diameter that stands before a number, else 0.
+  std::size_t diameter_sign() const {
+    for (const std::string_view sign : {"\u00D8", "\u00F8", "\u2300"}) {
+      const std::size_t after = at_ + sign.size();
+      if (prompt_.substr(at_).starts_with(sign) && (digit_at(after) || (after < prompt_.size() && prompt_[after] == ' ')))
+        return sign.size();
+    }
+    return 0;
   }
 
   void take_number(Token& token) {

@@ -122,6 +122,7 @@ class UnitReader {
   bool takes_new_share(std::size_t k) const;
   bool speaks_again(std::size_t k) const;
   bool is_topic_before_colon(std::size_t k) const;
+  bool goes_on_to_or(std::size_t k) const;
   void settle_noun(std::size_t k);
   void settle_place_words(std::size_t k);
   bool repeats_place(std::size_t k);

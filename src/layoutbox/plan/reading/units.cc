@@ -188,6 +188,14 @@ bool UnitReader::inverts_after(std::size_t k) const {
          is(next(c), ChunkKind::kNoun) && is_new_here(chunk(next(c)).noun);
 }
 
+// "without a TV, a sofa or a rug": a list of what is not wanted, which "or" joins, its articles repeated.
+bool UnitReader::goes_on_to_or(std::size_t k) const {
+  const auto is_or = [&](std::size_t c) { return is(c, ChunkKind::kAnd) && one_of(document_.tokens[chunk(c).first].text, {"or", "nor"}); };
+  std::size_t at = k;
+  while (is(at, ChunkKind::kComma) && is(next(at), ChunkKind::kNoun)) at = next(next(at));
+  return is_or(at) && is(next(at), ChunkKind::kNoun);
+}
+
 void UnitReader::read_break(std::size_t k) {
   const bool comma = is(k, ChunkKind::kComma);
   mark(k, Use::kIgnored, comma ? "" : "joins");
@@ -210,7 +218,7 @@ void UnitReader::read_break(std::size_t k) {
     // "facing the door, not the wall, chair, bookcase": what was told apart was a place
     const bool told_apart = comma && is(previous(k), ChunkKind::kNoun) && is_part_of_room(chunk(previous(k)).noun) &&
                             chunk(previous(k)).noun.determiner == Determiner::kDefinite;
-    if (!more || told_apart || (comma && contrasted_) ||
+    if ((!more && !goes_on_to_or(k)) || told_apart || (comma && contrasted_) ||
         (document_.tokens[chunk(k).first].text == ":" && is(previous(k), ChunkKind::kNoun)))
       negated_ = false;
   }
