@@ -49,6 +49,8 @@ class RelationBuilder {
   void let_into_tops();
   void let_in(int m, const CatalogEntry& host);
   void add_gap(const Link& link);
+  // "to the right of the bed is a door" (relation_openings.cc)
+  void add_by_openings(const Link& link);
   void add_alone(const Link& link, const std::vector<int>& targets);
   void add_relations(const Link& link);
   void add_relations_to(const Link& link, const std::vector<int>& targets, const Mention& reference_mention);

@@ -81,8 +81,11 @@ void Scribe::grow_for_sides(const Link& link, int target, int reference) {
   const std::size_t count = mention_at(target).items.size();
   const bool said = noun_of(target).count > 1, each_side = says(link.senses, RelationType::kEachSideOf);
   const int sides = each_side ? sides_meant(link, target, reference) : 2;
+  constexpr Mm kLong = 1000;  // "benches on either long side": one at each
+  const NounPhrase& noun = noun_of(target);
+  const bool one_each = noun.plural && noun.count == 0 && noun.entry != nullptr && noun.entry->size.usual.width >= kLong;
   if (says(link.senses, RelationType::kAlongSide))
-    references_.grow(target, count * 2);
+    references_.grow(target, one_each ? count : count * 2);
   else if (sides > 2 && !said)
     references_.grow(target, static_cast<std::size_t>(sides));
   else if (sides > 2 && link.sides > 0)  // "six chairs on three sides" are six; "two at each of four sides" eight
