@@ -94,6 +94,7 @@ class RelationBuilder {
   void add_group(const Link& link, PhraseSense sense, const std::vector<int>& targets, const std::vector<int>& references,
                  const Mention* place);
   void add_single(const Link& link, PhraseSense sense, const Mention& target, const std::vector<int>& references, const Mention* place);
+  std::string wall_behind(int item) const;
   void add_in_room(const Link& link, const PhraseSense& sense, const Mention& target, const NounPhrase& place);
   bool is_side_on(const Link& link, const PhraseSense& sense, const NounPhrase& thing, const NounPhrase& host) const;
   bool says_top(const Link& link) const;

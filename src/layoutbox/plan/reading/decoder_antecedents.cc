@@ -23,6 +23,11 @@ double number_score(const NounPhrase& noun, bool many) {
   return 0;
 }
 
+// "it"; "two windows, a radiator under each"
+bool speaks_of_openings(const NounPhrase& noun) {
+  return noun.head == "it" || noun.determiner == Determiner::kEach || noun.determiner == Determiner::kBoth;
+}
+
 bool stands(const NounPhrase& noun) {
   return noun.kind != NounKind::kObject || (mount_of(noun) == Mount::kFloor && (noun.entry == nullptr || !noun.entry->thin));
 }
@@ -57,7 +62,7 @@ bool Decoder::consider(std::vector<Candidate>& all, const State& state, Referent
   const bool opening = (meant.kind == NounKind::kDoor || meant.kind == NounKind::kWindow) &&
                        // "a desk and a bed in it": in the room; nothing lies on a door.
                        !(senses != nullptr && says(*senses, &RelationTraits::rests));
-  if (!is_thing(state, referent) && !(opening && senses != nullptr && noun != nullptr && noun->head == "it")) return false;
+  if (!is_thing(state, referent) && !(opening && senses != nullptr && noun != nullptr && speaks_of_openings(*noun))) return false;
   if (subject != kNobody && !is_of_one_group(state, referent, subject, noun) && same(state, referent, subject)) return false;
   // Nothing is placed by what lies on it, nor between what it has.
   const bool between = senses != nullptr && says(*senses, RelationType::kBetween);

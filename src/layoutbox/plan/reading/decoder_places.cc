@@ -53,6 +53,7 @@ double Decoder::parallel_score(const State& state, int u, int member) const {
     const PhraseSenses& senses = alone_senses(place);
     if (says(senses, RelationType::kLeftOf)) return "left";
     if (says(senses, RelationType::kRightOf)) return "right";
+    if (chunk(place).phrase.one || chunk(place).phrase.other) return chunk(place).phrase.one ? "one" : "other";
     const bool part = follows(place, UnitKind::kNoun) && chunk(place + 1).noun.kind == NounKind::kPart;
     return part ? chunk(place + 1).noun.wall_word : std::string{};
   };
