@@ -123,7 +123,9 @@ bool NounPhraseReader::read_listed(const Match& match, bool noun_before) {
 // "A bar with a counter", "I want a pantry with shelves": what something is in, where nothing else was named before, is the room.
 bool NounPhraseReader::opens_text(std::size_t after) const {
   if (after >= tokens_.size() || !lexicon_.is(tokens_[after], Class::kHave)) return false;
+  const bool had = phrase_.first > 0 && lexicon_.is(tokens_[phrase_.first - 1], Class::kHave);
   for (std::size_t i = 0; i < phrase_.first; ++i) {
+    if (had && lexicon_.find(tokens_, i, Class::kRoom).length > 0) return false;  // "a pub with a bar with five stools"
     if (tokens_[i].kind == Token::Kind::kPunctuation || lexicon_.find(tokens_, i, Class::kObject).length > 0 ||
         lexicon_.find_phrase(tokens_, i).length > 0)
       return false;

@@ -7,6 +7,7 @@
 #include "layoutbox/catalog/normalize.h"
 #include "layoutbox/plan/offline/absent.h"
 #include "layoutbox/plan/offline/alternatives.h"
+#include "layoutbox/plan/offline/bare_corners.h"
 #include "layoutbox/plan/offline/built_ins.h"
 #include "layoutbox/plan/offline/clusters.h"
 #include "layoutbox/plan/offline/corrections.h"
@@ -78,6 +79,7 @@ class OfflinePlanner final : public Planner {
     part_runs(lexicon_, document, skip);
     read_examples(lexicon_, document, skip);
     complete_wall_lists(lexicon_, document, skip);
+    complete_bare_corners(lexicon_, document, skip);
     read_seats_said(lexicon_, document, skip);
     read_labels(lexicon_, document, skip);
     read_corrected_counts(lexicon_, document, skip);

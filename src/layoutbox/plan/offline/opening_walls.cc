@@ -97,6 +97,10 @@ void settle_opening_walls(const Lexicon& lexicon, Document& document) {
     const std::size_t first = n++;
     while (n < chunks.size() && chunks[n].kind == ChunkKind::kIgnored) ++n;
     if (n < chunks.size() && chunks[n].kind == ChunkKind::kNoun) continue;
+    const bool by_thing = std::any_of(document.tokens.begin() + static_cast<std::ptrdiff_t>(chunks[first].first),
+                                      document.tokens.begin() + static_cast<std::ptrdiff_t>(chunks[n - 1].last),
+                                      [](const Token& token) { return token.text == "its" || token.text == "it"; });
+    if (by_thing) continue;  // "a desk with a window to its left"
     for (std::size_t i = chunks[first].first; i < chunks[n - 1].last; ++i) {
       const Match side = lexicon.find(document.tokens, i, Class::kWallWord);
       if (side.length == 0) continue;

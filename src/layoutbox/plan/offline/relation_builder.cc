@@ -210,13 +210,7 @@ void RelationBuilder::add_relations(const Link& link) {
   if (link.gap && link.distance) return add_gap(link);
   std::vector<int> targets = items_of(link.targets);
   if (link.references.empty() || mention(link.references.front()).reciprocal) keep_standing(targets);
-  // "a window over the sink", "a window behind the sofa": the sink is under it.
-  const bool window = link.targets.size() == 1 && mention(link.targets.front()).noun.kind == NounKind::kWindow;
-  if (window && (says(link.senses, R::kAbove) || says(link.senses, R::kBehind))) {
-    for (const int item : items_of(link.references)) {
-      if (mount_of(noun_of_item(item)) == Mount::kFloor || says(link.senses, R::kAbove)) add(link, R::kUnderWindow, {id(item)}, {});
-    }
-  }
+  add_by_openings(link);
   if (targets.empty()) return;
   if (link.references.empty()) return add_alone(link, targets);
   const Mention& first = mention(link.references.front());
@@ -284,7 +278,8 @@ void RelationBuilder::add_relations_to(const Link& link, const std::vector<int>&
       continue;
     }
     if (!sense) {
-      if (reference.kind != NounKind::kRoom && reference.kind != NounKind::kAbstract) note_no_place(link, target);
+      if (reference.kind != NounKind::kRoom && reference.kind != NounKind::kAbstract && reference.kind != NounKind::kCeiling)
+        note_no_place(link, target);
       continue;
     }
     if (traits_of(sense->type).of_group) {

@@ -50,6 +50,8 @@ class RelationBuilder {
   void let_into_tops();
   void let_in(int m, const CatalogEntry& host);
   void add_gap(const Link& link);
+  // "to the right of the bed is a door" (relation_openings.cc)
+  void add_by_openings(const Link& link);
   void add_alone(const Link& link, const std::vector<int>& targets);
   void add_relations(const Link& link);
   void add_relations_to(const Link& link, const std::vector<int>& targets, const Mention& reference_mention);
@@ -93,6 +95,7 @@ class RelationBuilder {
   void add_group(const Link& link, PhraseSense sense, const std::vector<int>& targets, const std::vector<int>& references,
                  const Mention* place);
   void add_single(const Link& link, PhraseSense sense, const Mention& target, const std::vector<int>& references, const Mention* place);
+  std::string wall_behind(int item) const;
   void add_in_room(const Link& link, const PhraseSense& sense, const Mention& target, const NounPhrase& place);
   bool is_side_on(const Link& link, const PhraseSense& sense, const NounPhrase& thing, const NounPhrase& host) const;
   bool says_top(const Link& link) const;

@@ -13,6 +13,15 @@ namespace layoutbox::offline {
 using R = RelationType;
 using Direction = PhraseSense::Direction;
 
+// The wall that the thing was put against; empty: none.
+std::string RelationBuilder::wall_behind(int item) const {
+  for (const std::size_t r : relations_of(id(item))) {
+    const Relation& relation = scene_.relations[r];
+    if (relation.type == R::kAgainstWall && !relation.references.empty()) return relation.references.front();
+  }
+  return {};
+}
+
 // By a part of the room.
 void RelationBuilder::add_in_room(const Link& link, const PhraseSense& sense, const Mention& target, const NounPhrase& place) {
   if (place.niche) return add_in_niche(link, target);
@@ -36,7 +45,8 @@ void RelationBuilder::add_in_room(const Link& link, const PhraseSense& sense, co
   if (!walls.empty()) return;
   if (sense.type == R::kOpposite) add_wall_opposite(link, target);
   for (const int item : target.items) {
-    add(link, sense.type, {id(item)}, room_reference(place, sense.type), sense);
+    const std::string own = sense.type == R::kFacing && place.kind == NounKind::kWall && place.plural ? wall_behind(item) : std::string{};
+    add(link, sense.type, {id(item)}, own.empty() ? room_reference(place, sense.type) : std::vector<std::string>{own}, sense);
     if (sense.type == R::kOpposite) add_across(link, item, room_reference(place, sense.type));
   }
 }
@@ -217,7 +227,8 @@ void RelationBuilder::add_for_each(const Link& link, PhraseSense sense, const Me
   if (seat_at) sense.type = user_side(references.front());  // "a chair at each"
   const std::size_t n = target.items.size(), m = references.size();
   // "a bouquet waits behind both", "to the left of the monitors": of all of them.
-  const bool sided = sense.type == R::kBehind || sense.type == R::kLeftOf || sense.type == R::kRightOf;
+  const bool both = sense.type == R::kAbove && m == 2 && says_one_of(document_, link.last - 1, {"both"});  // "a shelf above both"
+  const bool sided = both || sense.type == R::kBehind || sense.type == R::kLeftOf || sense.type == R::kRightOf;
   const bool all = sense.type == R::kInFrontOf || sense.type == R::kOpposite || sided;
   if (sense.type == R::kOpposite && m == 1 && n > 1) {  // as a group
     add(link, sense.type, ids(target.items), {id(references.front())}, sense);

@@ -21,6 +21,7 @@ constexpr double kLongestSide = 100;                       // m, as in scene fil
 constexpr double kSmallestRoom = 4;                        // m²: less is a thing's size where one was named
 constexpr double kSmallestAfterRoom = 1.6;                 // m²: "wc 0.9 x 1.8 m", right after the room
 constexpr double kNarrowest = 1.2, kNarrowestOfTwo = 0.8;  // m: of a side said alone, and of two
+constexpr double kLowestCeiling = 1.2;                     // m
 constexpr std::size_t kLookBack = 100;                     // tokens looked back; keeps endless sentences linear
 constexpr std::size_t kEarly = 12;                         // tokens: a size so early is the room's unless a thing claims it
 
@@ -246,7 +247,19 @@ class SizeReader {
     if (values.size() > 2) size_.height = values[2];
     take(at, at + length, "size of the room");
     end_phrase(at, at + length);
-    return length;
+    return length + (values.size() == 2 ? read_height_after(at + length) : 0);
+  }
+
+  // "6 x 6 m and 3.5 m high": the room's as well.
+  std::size_t read_height_after(std::size_t at) {
+    std::size_t next = at;
+    while (next < tokens_.size() && !tokens_[next - 1].ends_sentence && (tokens_[next].text == "," || tokens_[next].text == "and")) ++next;
+    SaidSize said;
+    const std::size_t length = next < tokens_.size() ? read_size(lexicon_, tokens_, next, said) : 0;
+    if (length == 0 || !said.height || said.width || said.depth || *said.height < kLowestCeiling) return 0;
+    size_.height = *said.height;
+    take(next, next + length, "height of the room");
+    return next + length - at;
   }
 
   // "living room 3.2 x 3.8 m sofa, …": what follows is no part of the room's name.
@@ -317,10 +330,10 @@ class SizeReader {
 
   // "ceilings 3 m high", "3 m high ceiling", "a ceiling height of 2.8 m".
   std::size_t read_height(std::size_t at) {
-    constexpr double kLowest = 1.2, kHighest = 30;  // m: between them lies a ceiling
+    constexpr double kHighest = 30;
     auto measure = read_measure(lexicon_, tokens_, at);
     if (!measure && says_height_alone(at)) measure = Measure{tokens_[at].number, 1};
-    if (!measure || measure->metres < kLowest || measure->metres > kHighest) return 0;
+    if (!measure || measure->metres < kLowestCeiling || measure->metres > kHighest) return 0;
     const std::size_t last = at + measure->length;
     if (!ceiling_after(last) && !ceiling_before(at, last)) return 0;
     size_.height = measure->metres;

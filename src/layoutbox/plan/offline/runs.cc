@@ -20,6 +20,7 @@ class RunReader {
     std::vector<std::size_t> commas;
     if (const std::size_t room = end_of_room(); room > 0) commas.push_back(room);
     for (std::size_t i = 0; i < tokens_.size();) {
+      if (is_subject_after_wall(i)) commas.push_back(i);
       const std::vector<std::size_t> begins = things_from(i);
       const std::size_t end = begins.empty() ? i + 1 : begins.back();
       const std::size_t things = begins.empty() ? 0 : begins.size() - 1;
@@ -62,6 +63,21 @@ class RunReader {
     }
     if (!begins.empty()) begins.push_back(at);
     return begins;
+  }
+
+  // "On the left wall shelves hold books", "along the back wall pictures hang": several things after a wall, and a verb that brings in
+  // nothing else there.
+  bool is_subject_after_wall(std::size_t at) const {
+    if (at < 4 || skip_[at - 1] || tokens_[at - 1].text != "wall" || lexicon_.find(tokens_, at - 2, WordClass::kWallWord).length != 1 ||
+        tokens_[at - 3].text != "the" || lexicon_.find_phrase(tokens_, at - 4).length == 0)
+      return false;
+    const Match things = lexicon_.find(tokens_, at);
+    const std::size_t verb = at + things.length;
+    if (meaning_of(things, WordClass::kObject) == nullptr || !things.plural || verb + 1 >= tokens_.size()) return false;
+    if (lexicon_.is(tokens_[verb], WordClass::kHave)) return true;
+    const bool verbal = lexicon_.is(tokens_[verb], WordClass::kVerb) || lexicon_.is(tokens_[verb], WordClass::kHang) ||
+                        lexicon_.is(tokens_[verb], WordClass::kPlaceVerb);
+    return verbal && (tokens_[verb + 1].kind == Token::Kind::kPunctuation || lexicon_.find_phrase(tokens_, verb + 1).length > 0);
   }
 
   bool is_clause(std::size_t first, std::size_t end) const {

@@ -93,7 +93,12 @@ class SenseChooser {
     switch (reference_.kind) {
       case NounKind::kCorner: return at_corner();
       case NounKind::kCenter: return chosen(at_center());
-      case NounKind::kCeiling: return chosen(says_any({R::kOnCeiling, R::kOn}) ? std::optional(own(R::kOnCeiling)) : std::nullopt);
+      case NounKind::kCeiling: {
+        // "bookcases rise to the ceiling": how high they are
+        const bool stands =
+            !says(R::kOn) && target_.entry != nullptr && target_.exact && target_.entry->back_to_wall && mount_of(target_) == Mount::kFloor;
+        return chosen(!stands && says_any({R::kOnCeiling, R::kOn}) ? std::optional(own(R::kOnCeiling)) : std::nullopt);
+      }
       case NounKind::kFloor:
         if (says(R::kCenterOfRoom)) return chosen(own(R::kCenterOfRoom));
         return chosen(says(&RelationTraits::rests) ? std::optional(own(R::kOn)) : std::nullopt);

@@ -265,7 +265,10 @@ void Decoder::alone_of_room(std::size_t s, int u, std::size_t level, double gain
                    unit(u).joiner == Joiner::kNone && std::any_of(senses.begin(), senses.end(), [](const PhraseSense& sense) {
                      return sense.region == RoomRegion::kBack || sense.region == RoomRegion::kFront;
                    });
-  if (end) add(s, kAttachAlone, gain + 1.5, member, member, host);
+  // … but "a bar with five stools at the back": the bar is
+  const bool seats = end && several(state, member) && comes_with(state, member);
+  if (end && !seats) add(s, kAttachAlone, gain + 1.5, member, member, host);
+  if (seats) gain += weight::kSmallByPlace;
   // … but "a table with magazines in the middle" stands there itself.
   const bool many_lie = is_thing(state, host) && (several(state, member) || is_textile(lexicon_.catalog(), noun_of(state, member)));
   if (lies && is_thing(state, host)) add(s, kAttachAlone, gain + (many_lie ? -1 : 1), member, member, host);

@@ -1,6 +1,7 @@
 // Whom a pronoun, a member of a group, or a reference that is not said may mean.
 #include <algorithm>
 
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/reading/decoder.h"
@@ -20,6 +21,11 @@ double number_score(const NounPhrase& noun, bool many) {
   if (wanted && !many) return group ? weight::kNumber - 1 : weight::kNumber;
   if (!wanted && many) return noun.head.empty() ? -0.8 : weight::kNumber;
   return 0;
+}
+
+// "it"; "two windows, a radiator under each"
+bool speaks_of_openings(const NounPhrase& noun) {
+  return noun.head == "it" || noun.determiner == Determiner::kEach || noun.determiner == Determiner::kBoth;
 }
 
 bool stands(const NounPhrase& noun) {
@@ -56,7 +62,7 @@ bool Decoder::consider(std::vector<Candidate>& all, const State& state, Referent
   const bool opening = is_opening(meant) &&
                        // "a desk and a bed in it": in the room; nothing lies on a door.
                        !(senses != nullptr && says(*senses, &RelationTraits::rests));
-  if (!is_thing(state, referent) && !(opening && senses != nullptr && noun != nullptr && noun->head == "it")) return false;
+  if (!is_thing(state, referent) && !(opening && senses != nullptr && noun != nullptr && speaks_of_openings(*noun))) return false;
   if (subject != kNobody && !is_of_one_group(state, referent, subject, noun) && same(state, referent, subject)) return false;
   // Nothing is placed by what lies on it, nor between what it has.
   const bool between = senses != nullptr && says(*senses, RelationType::kBetween);
@@ -104,7 +110,9 @@ double Decoder::antecedent_place_score(const State& state, Referent referent, Re
     score += weight::kNoReference;
   // "a mirror with a shelf below it"
   const bool over = says(senses, RelationType::kAbove) || says(senses, RelationType::kUnder);
-  if (subject >= 0 && referent == owner && over && noun != nullptr && noun->head == "it") score += weight::kOwnHost;
+  const bool first = subject >= 0 && read_as(state, subject).former < 0;  // … "with a sink, a mirror above": above the sink
+  if (subject >= 0 && referent == owner && over && noun != nullptr && (noun->head == "it" || (noun->head.empty() && first)))
+    score += weight::kOwnHost;
   // "a cage with a parrot inside": in the cage.
   const bool inside = says(senses, RelationType::kIn) && noun != nullptr && noun->head.empty();
   if (subject >= 0 && referent == owner && inside) score += weight::kInOwnHost;
@@ -121,6 +129,9 @@ double Decoder::antecedent_place_score(const State& state, Referent referent, Re
     score += mount_of(meant) == Mount::kSurface ? weight::kNotBeside - weight::kSmallTogether : -weight::kNotBeside;
   // What lies on the floor or on something else is seldom what one places things by.
   if (mount_of(target) == Mount::kFloor && !stands(meant)) score -= 0.8;
+  // "a sofa, over which a map hangs, …; a table in front of it": of the sofa.
+  const bool looked_into = meant.entry != nullptr && meant.entry->is(Trait::kMirror);
+  if (before && mount_of(target) == Mount::kFloor && mount_of(meant) == Mount::kWall && !looked_into) score += weight::kNotBeside;
   return score;
 }
 

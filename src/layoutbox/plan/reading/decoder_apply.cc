@@ -115,7 +115,8 @@ void Decoder::apply_fill(State& state, int u) const {
   own.role = is(p, UnitKind::kHave) || place.inverse ? NounRole::kContent : NounRole::kReference;
   if (own.role == NounRole::kReference) state.place = p;
   if (own.role == NounRole::kContent) own.placed = !is(p, UnitKind::kHave);
-  if (own.meant != kNobody && noun_of(state, u).kind == NounKind::kObject) state.it = own.meant;
+  if (own.meant != kNobody && (noun_of(state, u).kind == NounKind::kObject || chunk(u).noun.determiner == Determiner::kPossessive))
+    state.it = own.meant;
   const bool of_its_own = place.subject < 0 || host_of(state, place.subject) == own.meant;  // "a tray with a cup on it"
   if (own.meant != kNobody && !of_its_own && chunk(u).noun.head == "it") state.by = own.meant;
   const bool of_front = state.frontier.empty() && !state.fronted.empty();  // of what the clause's place is by
@@ -195,6 +196,7 @@ void Decoder::apply_predicate(State& state, const Action& action, int u) const {
     case kAttachAlone:
       take_subject(state, action, u);
       own.alone = true;
+      if (says_its(u) && own.implied != kNobody && !own.implied_list) state.it = own.implied;  // "along its sides, and on it"
       if (document_.tokens[chunk(u).last - 1].text == "it" && own.implied != kNobody && !own.implied_list &&
           host_of(state, action.unit) != own.implied)
         state.by = own.implied;

@@ -308,6 +308,8 @@ double Decoder::reference_list_score(const State& state, int member, int u) cons
   // "along the left and right walls"
   const bool walls = noun.kind == NounKind::kWall && !noun.wall_word.empty() && noun.wall_word != former.wall_word;
   if (walls && former.kind == NounKind::kWall && !former.wall_word.empty()) return 5;
+  const bool acts = noun.kind == NounKind::kMember && follows(u, UnitKind::kPlace) && finite_place(u + 1);  // "… and another faces it"
+  if (acts) return -6;
   if (former.kind != NounKind::kObject || noun.kind != NounKind::kObject)
     return noun.kind == former.kind && noun.kind != NounKind::kRoom ? 1.5 : -6;
   double score = definite(former) == definite(noun) ? 0.5 : -3;

@@ -53,6 +53,7 @@ double Decoder::parallel_score(const State& state, int u, int member) const {
     const PhraseSenses& senses = alone_senses(place);
     if (says(senses, RelationType::kLeftOf)) return "left";
     if (says(senses, RelationType::kRightOf)) return "right";
+    if (chunk(place).phrase.one || chunk(place).phrase.other) return chunk(place).phrase.one ? "one" : "other";
     const bool part = follows(place, UnitKind::kNoun) && chunk(place + 1).noun.kind == NounKind::kPart;
     return part ? chunk(place + 1).noun.wall_word : std::string{};
   };
@@ -292,7 +293,9 @@ void Decoder::opening_place_actions(std::size_t s, int u) {
 bool Decoder::is_fresh(int u) const {
   const NounPhrase& noun = chunk(u).noun;
   const bool definite = noun.determiner == Determiner::kDefinite || noun.determiner == Determiner::kPossessive;
-  return is_new_thing(noun) || (noun.kind == NounKind::kObject && definite && !known_[static_cast<std::size_t>(u)]);
+  const bool opening = noun.kind == NounKind::kDoor || noun.kind == NounKind::kWindow;
+  return is_new_thing(noun) || (opening && noun.determiner == Determiner::kIndefinite) ||
+         (noun.kind == NounKind::kObject && definite && !known_[static_cast<std::size_t>(u)]);
 }
 
 // After a comma or "and" it may as well come before its own thing.

@@ -81,8 +81,11 @@ void Scribe::grow_for_sides(const Link& link, int target, int reference) {
   const std::size_t count = mention_at(target).items.size();
   const bool said = noun_of(target).count > 1, each_side = says(link.senses, RelationType::kEachSideOf);
   const int sides = each_side ? sides_meant(link, target, reference) : 2;
+  constexpr Mm kLong = 1000;  // "benches on either long side": one at each
+  const NounPhrase& noun = noun_of(target);
+  const bool one_each = noun.plural && noun.count == 0 && noun.entry != nullptr && noun.entry->size.usual.width >= kLong;
   if (says(link.senses, RelationType::kAlongSide))
-    references_.grow(target, count * 2);
+    references_.grow(target, one_each ? count : count * 2);
   else if (sides > 2 && !said)
     references_.grow(target, static_cast<std::size_t>(sides));
   else if (sides > 2 && link.sides > 0)  // "six chairs on three sides" are six; "two at each of four sides" eight
@@ -118,7 +121,20 @@ void Scribe::grow_for_hosts(int content, const std::vector<int>& hosts) {
   if (!host.distributes && host.items.size() > mention_at(content).items.size()) references_.grow(content, host.items.size());
 }
 
+// "two windows in the back wall … a radiator under each window": as many as there are.
+void Scribe::grow_for_openings(const NounPhrase& opening, int target) {
+  const bool each = opening.determiner == Determiner::kEach || opening.determiner == Determiner::kBoth;
+  if (!each || noun_of(target).determiner != Determiner::kIndefinite || mention_at(target).items.size() != 1) return;
+  int named = opening.determiner == Determiner::kBoth ? 2 : 0;
+  for (const NounPhrase& other : document_.openings) {
+    if (other.kind == opening.kind) named = std::max(named, other.count > 0 ? other.count : other.plural ? 2 : 1);
+  }
+  references_.grow(target, static_cast<std::size_t>(named));
+  grow_contents(target, 1);
+}
+
 void Scribe::grow_for_corners(const NounPhrase& corner, int target) {
+  if (corner.kind == NounKind::kWindow || corner.kind == NounKind::kDoor) return grow_for_openings(corner, target);
   const bool wall = corner.kind == NounKind::kWall;
   if (corner.kind != NounKind::kCorner && !wall) return;
   // "in two of the corners a pedestal with a bust on it"

@@ -123,6 +123,20 @@ bool Scribe::as_reference_of(int u, RelationType type) const {
   return own.role == NounRole::kReference && own.predicate >= 0 && says(unit(own.predicate).direct, type);
 }
 
+// "two windows, a radiator under each": each of the windows; −1: the words mean nothing of the kind.
+int Scribe::each_of_openings(int u, const NounPhrase& noun) {
+  const bool each = noun.determiner == Determiner::kEach || noun.determiner == Determiner::kBoth;
+  const std::vector<int> meant = each && noun.kind != NounKind::kObject ? mentions_of(reading(u).meant) : std::vector<int>{};
+  if (meant.empty()) return -1;
+  const NounKind kind = noun_of(meant.front()).kind;
+  if (kind != NounKind::kDoor && kind != NounKind::kWindow) return -1;
+  Mention all = mention_at(meant.front());
+  all.introduces = false;
+  all.noun.determiner = Determiner::kEach;
+  document_.mentions.push_back(std::move(all));
+  return static_cast<int>(document_.mentions.size()) - 1;
+}
+
 int Scribe::make_mention(int u) {
   NounPhrase noun = chunk(u).noun;
   const UnitReading& own = reading(u);
@@ -131,6 +145,7 @@ int Scribe::make_mention(int u) {
   const bool in_middle = as_reference_of(u, RelationType::kCenterOfRoom);
   if (in_middle && noun.kind == NounKind::kPronoun && noun.head == "it" && own.meant == kNobody) noun.kind = NounKind::kRoom;
   const bool as_reference = own.role == NounRole::kReference;
+  if (const int openings = each_of_openings(u, noun); openings >= 0) return openings;
   if (noun.kind == NounKind::kMember) return make_member(u, noun);
   int antecedent = -1;
   if (noun.kind == NounKind::kPronoun) {

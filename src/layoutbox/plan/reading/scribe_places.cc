@@ -170,11 +170,13 @@ void Scribe::place_with_zone(const std::vector<int>& hosts, int index) {
 }
 
 void Scribe::fill_root(int u, int mention) {
-  if (!is_thing(mention)) return;
+  const NounKind kind = noun_of(mention).kind;
+  const bool opening = kind == NounKind::kDoor || kind == NounKind::kWindow;  // "on the right wall is a window"
+  if (!is_thing(mention) && !opening) return;
   for (int p = 0; p < u; ++p) {
     const UnitReading& place = reading(p);
     if (unit(p).kind != UnitKind::kPlace || !place.fronted || place.subject == kNobody || link_[static_cast<std::size_t>(p)] < 0) continue;
-    bool mine = false;
+    bool mine = place.first_subject == u;
     for (int m = place.subject; m >= 0; m = reading(m).former) {
       mine |= m == u;
       if (m == place.first_subject) break;
@@ -187,6 +189,7 @@ void Scribe::fill_root(int u, int mention) {
     }
     if (chunk(u).noun.subset && !waiting.targets.empty()) continue;  // "…, one of which holds a lamp"
     waiting.targets.push_back(mention);
+    if (opening) continue;
     if (waiting.each) grow_for_sides(waiting, mention, waiting.references.empty() ? -1 : waiting.references.front());
     const std::vector<int> references = waiting.references;
     const int at = link_[static_cast<std::size_t>(p)];

@@ -267,7 +267,9 @@ void UnitReader::mean_fabric(std::size_t k) {
   if (noun.head == "glass" && noun.name == "glass" && !noun.plural && !is_named_before(k, "glass") &&
       !says(units_.back().direct, &RelationTraits::rests))
     noun.kind = NounKind::kWindow;
-  if ((noun.name == "stairs" || (noun.name == "stair" && noun.plural)) && !is_named_before(k, noun.head)) noun.kind = NounKind::kAbstract;
+  const bool told = is(next(k), ChunkKind::kRelative);  // "the stairs which are in the corner"
+  if ((noun.name == "stairs" || (noun.name == "stair" && noun.plural)) && !told && !is_named_before(k, noun.head))
+    noun.kind = NounKind::kAbstract;
 }
 
 // "a printer corner", "a small sofa area": the thing that such a place is for, where nothing else of its kind is named.

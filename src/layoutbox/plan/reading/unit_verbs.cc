@@ -197,7 +197,8 @@ void UnitReader::mean_owner_of_spot(std::size_t k) {
   const std::string& preposition = document_.tokens[chunk(units_.back().chunk).first].text;
   if (!one_of(preposition, {"in", "at", "by", "on", "to", "upon", "along", "beside", "near"})) return;
   const bool body = one_of(noun.head, WordSet::kBodyParts) && (noun.kind == NounKind::kAbstract || noun.kind == NounKind::kObject);
-  const bool its = body && noun.determiner == Determiner::kPossessive && !noun.of;
+  const bool own_side = one_of(noun.head, {"side", "end"}) && !noun.plural && noun.kind == NounKind::kAbstract;  // "along its far side"
+  const bool its = (body || own_side) && noun.determiner == Determiner::kPossessive && !noun.of;
   const bool named = noun.of && (noun.kind == NounKind::kAbstract || body) && !noun.niche && noun.of->kind == NounKind::kObject &&
                      noun.of->exact && (noun.of->determiner == Determiner::kDefinite || noun.of->determiner == Determiner::kPossessive);
   if ((!its && !named) || is_zone(noun.head)) return;

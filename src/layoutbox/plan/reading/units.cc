@@ -330,6 +330,15 @@ bool UnitReader::tells_which(std::size_t k) {
     noun.wall_relation = "opposite";
     return true;
   }
+  // "in the two corners at the front"
+  if (noun.kind == NounKind::kCorner && noun.wall_word.empty() && !noun.of) {
+    const auto region = std::ranges::find(senses, RelationType::kInRegion, &PhraseSense::type);
+    const std::string_view side = left ? "left" : says(senses, RelationType::kRightOf) ? "right" : "";
+    if (side.empty() && region == senses.end()) return false;
+    const bool front = region != senses.end() && region->region == RoomRegion::kFront;
+    noun.wall_word = !side.empty() ? side : front ? "front" : "back";
+    return true;
+  }
   if (noun.kind != NounKind::kObject && noun.kind != NounKind::kPart) return false;  // "on the wall above": above what was spoken of
   const bool up_or_down = says(senses, RelationType::kUnder) || says(senses, RelationType::kAbove);
   return up_or_down && noun.determiner == Determiner::kDefinite && document_.tokens[chunk(k).last - 1].text != "it";
@@ -342,6 +351,10 @@ void UnitReader::add_place(std::size_t k, const PhraseSenses& senses) {
   for (const PhraseSense& sense : senses) {
     // "on opposite sides of the stove": one on each.
     if (chunk(k).phrase.plural && sense.type == RelationType::kOpposite && says(senses, RelationType::kEachSideOf)) continue;
+    // … "on the opposite side" is one of them
+    if (!chunk(k).phrase.plural && sense.type == RelationType::kEachSideOf && sense.direction == PhraseSense::Direction::kAlone &&
+        !chunk(k).phrase.each && says(senses, RelationType::kOpposite))
+      continue;
     PhraseSenses& side = sense.direction == PhraseSense::Direction::kDirect    ? unit.direct
                          : sense.direction == PhraseSense::Direction::kInverse ? unit.inverse
                                                                                : unit.alone;

@@ -1,0 +1,49 @@
+#include "layoutbox/plan/offline/bare_corners.h"
+
+#include <initializer_list>
+#include <string_view>
+#include <utility>
+
+#include "layoutbox/plan/offline/splice.h"
+
+namespace layoutbox::offline {
+namespace {
+
+Token corner_word(std::string_view text) {
+  Token token;
+  token.kind = Token::Kind::kWord;
+  token.text = text;
+  return token;
+}
+
+// "back right" and "right back" at `at`, with no noun after it that it says which one of.
+bool names_corner(const Lexicon& lexicon, const Document& document, std::size_t at) {
+  const auto depth = [&](std::size_t i) { return says_one_of(document, i, {"front", "back", "rear", "far", "near"}); };
+  const auto side = [&](std::size_t i) { return says_one_of(document, i, {"left", "right"}); };
+  const std::vector<Token>& tokens = document.tokens;
+  if (!((depth(at) && side(at + 1)) || (side(at) && depth(at + 1))) || tokens[at].ends_sentence) return false;
+  const std::size_t next = at + 2;
+  if (next >= tokens.size() || tokens[at + 1].ends_sentence || tokens[next].kind == Token::Kind::kPunctuation) return true;
+  if (says_one_of(document, next, {"of", "with"}) || lexicon.is(tokens[next], WordClass::kAnd)) return true;
+  return lexicon.find_phrase(tokens, next).length > 0 && lexicon.find(tokens, next, WordClass::kObject).length == 0;
+}
+
+}  // namespace
+
+void complete_bare_corners(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
+  std::vector<Splice> words;
+  for (std::size_t i = 1; i + 1 < document.tokens.size(); ++i) {
+    if (skip[i] || !names_corner(lexicon, document, i)) continue;
+    std::vector<Token>& tokens = document.tokens;
+    if (says_one_of(document, i, {"left", "right"})) std::swap(tokens[i].text, tokens[i + 1].text);
+    const bool article = says_one_of(document, i - 1, {"the"}), place = says_one_of(document, i - 1, {"in", "at", "on"});
+    const bool verb = lexicon.is(tokens[i - 1], WordClass::kPlaceVerb);  // "to the far right", "faces front left"
+    if (verb || (article && (i < 2 || !says_one_of(document, i - 2, {"in", "at", "on"})))) continue;
+    if (!article && !place) words.push_back({i, corner_word("in")});
+    if (!article) words.push_back({i, corner_word("the")});
+    words.push_back({i + 2, corner_word("corner")});
+  }
+  splice(document, skip, std::move(words));
+}
+
+}  // namespace layoutbox::offline
