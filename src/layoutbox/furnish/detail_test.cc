@@ -90,6 +90,14 @@ TEST(Detail, LevelsDifferInTriangles) {
   EXPECT_GT(high, usual * 3 / 2);
 }
 
+// A bed that is slept in looks it.
+TEST(Detail, AnUnmadeBedIsNoMadeOne) {
+  PlacedObject bed = object_of(*catalog().find("king_bed"), catalog().find("king_bed")->size.usual);
+  const std::size_t made = mesh_checks::triangles_of(furnished(bed, Detail::kUsual));
+  bed.attributes = {"unmade"};
+  EXPECT_NE(mesh_checks::triangles_of(furnished(bed, Detail::kUsual)), made);
+}
+
 TEST(Detail, TheUsualLevelComesBack) {
   const PlacedObject chair = object_of(*catalog().find("chair"), catalog().find("chair")->size.usual);
   const std::size_t before = mesh_checks::triangles_of(furnished(chair, Detail::kUsual));

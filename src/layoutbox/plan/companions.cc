@@ -104,6 +104,28 @@ class Companions {
            });
   }
 
+  // "two desks, a meeting table with four chairs": all seats that are named are those of another table, so that the desk's are still to
+  // come.
+  bool seats_are_taken() const {
+    const auto sat_at = [&](const std::string& host) {
+      const SceneObject* object = scene_.find_object(host);
+      if (object == nullptr) return false;
+      const CatalogEntry& kind = catalog_.entry_or_nearest(object->category);
+      return kind.is(Trait::kTable) && !kind.is(Trait::kDesk) && !kind.is(Trait::kOccasional);
+    };
+    bool any = false;
+    for (const std::size_t i : named_) {
+      const SceneObject& seat = scene_.objects[i];
+      if (!seat.asked() || !catalog_.entry_or_nearest(seat.category).is(Trait::kTableSeat)) continue;
+      any = true;
+      const auto at_table = [&](const Relation& r) {
+        return std::ranges::find(r.targets, seat.id) != r.targets.end() && std::ranges::any_of(r.references, sat_at);
+      };
+      if (std::ranges::none_of(scene_.relations, at_table)) return false;
+    }
+    return any;
+  }
+
   void seat_at(std::size_t i) {
     const std::string id = scene_.objects[i].id, category = scene_.objects[i].category;
     const CatalogEntry* entry = catalog_.find(category);
@@ -119,7 +141,7 @@ class Companions {
     const bool serves = entry->is(Trait::kOpenToRoom) && is_used(Side::kBack) && is_used(Side::kFront);
     // … and seats that follow from how many people there are stand at tables of their own: the teacher's desk has its chair.
     const bool visited = entry->is(Trait::kDeskLike) && has_kind("visitor_chair");
-    const bool named_only = serves || visited || !names_seat();
+    const bool named_only = serves || visited || !names_seat() || (entry->is(Trait::kDesk) && seats_are_taken());
     if (seat == nullptr || (named_only ? spoken_.names(*seat) : spoken_.of(*seat)) || has_seat(id) || (!serves && has_loose_seat())) return;
     const int count = std::min(seats_at_size(*seating, is_round(*sized, *entry), sized->size->usual), kMostSeats);
     std::vector<std::string> seats;

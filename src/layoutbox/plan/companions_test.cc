@@ -42,6 +42,11 @@ TEST(Companions, SeatsComeWithDesksAndTables) {
   EXPECT_EQ(count_of(added_to("A bedroom with a bed, a wardrobe and a dressing table."), "vanity_stool"), 1);
 }
 
+TEST(Companions, DesksHaveTheirChairsBesideThoseOfAnotherTable) {
+  EXPECT_EQ(count_of(added_to("A home office with two desks facing each other and a meeting table with four chairs."), "office_chair"), 2);
+  EXPECT_EQ(count_of(added_to("A bedroom with a bed, a desk and a chair."), "office_chair"), 0);
+}
+
 TEST(Companions, ABedForTwoHasANightstandAtEachSide) {
   EXPECT_EQ(count_of(added_to("A bedroom, 4 x 4 m, with a queen bed and a wardrobe."), "nightstand"), 2);
   EXPECT_EQ(count_of(added_to("A bedroom, 4 x 4 m, with a single bed and a wardrobe."), "nightstand"), 1);

@@ -16,10 +16,31 @@ Color throw_color(const Piece& p) {
   return look != nullptr && look->colors.size() > 1 ? look->colors[1] : mixed(p.accent(), {0.93, 0.89, 0.80}, 0.55);
 }
 
+// Slept in: the duvet is thrown back to one side, in folds, and the pillows lie as they were left.
+void slept_in(Piece& p, const Box& b, int pillows, int duvet, int white, double sheet) {
+  const double w = b.size().x, length = b.size().y, drop = std::min(0.16, (sheet - b.min.z) * 0.8), thick = b.max.z - sheet;
+  const double edge = b.max.y - length * 0.46;  // up to where it still lies
+  p.add(duvet,
+        rounded_box(sides(b.min.x, b.max.x, b.min.y + 0.01, edge, sheet - drop, sheet + thick * 0.55), std::min(0.04, thick * 0.5), 3));
+  const double cx = (b.min.x + b.max.x) / 2;
+  for (int i = 0; i < 4; ++i) {  // folds across it, the first of them showing the other side
+    const double half = w * (0.45 - 0.05 * i), deep = 0.09 + 0.01 * (i % 2), y = edge - 0.01 - i * 0.13;
+    Mesh fold = rounded_box({{-half, -deep, sheet - 0.02}, {half, deep, sheet + thick * (i % 2 == 0 ? 1.0 : 0.8)}}, thick * 0.45, 4);
+    p.add(i == 0 ? white : duvet, posed(std::move(fold), moved(cx + w * 0.01 * i, y, 0) * turned_z(-5.0 - 4.0 * i)));
+  }
+  const double each = std::min(0.66, (w - 0.08) / std::max(1, pillows)), depth = std::min(0.42, length * 0.2);
+  for (int i = 0; i < pillows; ++i) {
+    const double x = cx + (i - (pillows - 1) / 2.0) * each, y = b.max.y - depth / 2 - (i % 2 == 0 ? 0.03 : 0.09);
+    Mesh one = pillow(sides(-each / 2 + 0.03, each / 2 - 0.03, -depth / 2, depth / 2, sheet - 0.03, b.max.z), 10);
+    p.add(white, posed(std::move(one), moved(x, y, 0) * turned_z(i % 2 == 0 ? 6.0 : -11.0)));
+  }
+}
+
 // Mattress, duvet and pillows in a box whose top is the level on which things may lie.
 void bedding(Piece& p, const Box& b, int pillows, int duvet, int white) {
   const double puff = std::min(0.09, b.size().z * 0.4), sheet = b.max.z - puff, margin = 0.012;
   p.add(white, rounded_box(sides(b.min.x + margin, b.max.x - margin, b.min.y + margin, b.max.y, b.min.z, sheet), 0.035, 3));
+  if (p.says("unmade")) return slept_in(p, b, pillows, duvet, white, sheet);
   const double length = b.size().y, pillow_depth = std::clamp(length * 0.22, 0.2, 0.46),
                fold = b.max.y - pillow_depth - std::min(0.1, length * 0.06);
   const double drop = std::min(0.16, (sheet - b.min.z) * 0.8);

@@ -427,6 +427,8 @@ TEST_F(OfflinePlannerTest, StatesGoToTheThingsBeforeThem) {
   EXPECT_EQ(how_many("A kitchen with a dishwasher with its door open and an oven.", "oven", "open"), 0);
   EXPECT_EQ(how_many("A kitchen where the dishwasher is open.", "dishwasher", "open"), 1);
   EXPECT_EQ(how_many("A study with a desk and open shelves.", "desk", "open"), 0);
+  EXPECT_EQ(how_many("A bedroom with a king bed with cream pillows, left a bit unmade.", "king_bed", "unmade"), 1);
+  EXPECT_EQ(how_many("A bedroom with an unmade bed and a desk.", "desk", "unmade"), 0);
 }
 
 TEST_F(OfflinePlannerTest, AnyWordsGiveASoundScene) {

@@ -202,6 +202,7 @@ class RelationBuilder {
   // What a reader takes for granted; soft, and marked as ours.
   void add_habits();
   void seat_in_windows();
+  void sit_in_u();
   void park_cars();
   void sit_before_mirrors();
   void stand_under_counters();

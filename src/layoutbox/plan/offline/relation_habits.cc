@@ -232,6 +232,7 @@ void RelationBuilder::add_habits() {
   add_front();
   share_doors();
   seat_in_windows();
+  sit_in_u();
   park_cars();
   sit_before_mirrors();
   stand_under_counters();

@@ -151,6 +151,36 @@ void RelationBuilder::seat_in_windows() {
   }
 }
 
+// Three sofas and more stand round their low table, open to the screen: one of them is across from it.
+void RelationBuilder::sit_in_u() {
+  constexpr std::size_t kRound = 3;
+  std::vector<std::string> sofas, tables, screens;
+  for (const SceneObject& object : scene_.objects) {
+    const CatalogEntry& entry = catalog_.entry_or_nearest(object.category);
+    if (entry.is(Trait::kCenterPiece) && !entry.is(Trait::kBed) && entry.has_front) sofas.push_back(object.id);
+    if (entry.is(Trait::kCoffeeTable)) tables.push_back(object.id);
+    if (entry.is(Trait::kScreen) && entry.is(Trait::kElseOnWall)) screens.push_back(object.id);
+  }
+  if (sofas.size() < kRound || tables.size() != 1) return;
+  const auto says_of = [&](auto holds) {
+    return std::ranges::any_of(scene_.relations,
+                               [&](const Relation& r) { return std::ranges::find(r.targets, sofas[0]) != r.targets.end() && holds(r); });
+  };
+  const auto conclude = [&](R type, std::vector<std::string> targets, std::vector<std::string> references, const char* why) {
+    add_habit(type, std::move(targets), std::move(references), kTogether, why);
+    scene_.relations.back().origin = Origin::kConcluded;
+    scene_.relations.back().hard = true;
+  };
+  const auto round_table = [&](const Relation& r) { return traits_of(r.type).around && r.targets.size() == sofas.size(); };
+  if (!says_of(round_table)) {
+    if (says_of([](const Relation& r) { return !traits_of(r.type).looks; })) return;
+    conclude(R::kAround, sofas, tables, "sofas stand round their table");
+  }
+  if (screens.size() != 1 || says_of([](const Relation& r) { return traits_of(r.type).looks; })) return;
+  conclude(R::kOpposite, {sofas[0]}, screens, "the seats are open to the screen");
+  conclude(R::kFacing, {sofas[1]}, {sofas[2]}, "the seats are open to the screen");
+}
+
 // "a luggage rack and a wardrobe beside the door": side by side there, the second one as near as the first lets it.
 void RelationBuilder::share_doors() {
   constexpr Mm kBesideOther = 1200;

@@ -65,9 +65,27 @@ StateSaid state_after(const Lexicon& lexicon, const std::vector<Token>& tokens, 
   return {};
 }
 
+// States that only one kind of thing has, wherever they are said: "a bed with a green duvet and cream pillows, unmade".
+void settle_states_of_kinds(const Lexicon& lexicon, Document& document) {
+  const Catalog& catalog = lexicon.catalog();
+  for (const WordList::Member row : word_list("words_attributes").at("states_of")) {
+    const std::string state(row.key), kind(row.value.text());
+    const auto said = std::ranges::find(document.tokens, state, &Token::text);
+    if (said == document.tokens.end()) continue;
+    const std::size_t at = static_cast<std::size_t>(said - document.tokens.begin());
+    TextItem* of = nullptr;  // the last one before it, else the first
+    for (TextItem& item : document.items) {
+      if (item.noun.entry == nullptr || !catalog.is_a(item.noun.entry->id, kind)) continue;
+      if (of == nullptr || item.noun.first < at) of = &item;
+    }
+    if (of != nullptr && std::ranges::find(of->noun.attributes, state) == of->noun.attributes.end()) of->noun.attributes.push_back(state);
+  }
+}
+
 }  // namespace
 
 void settle_states(const Lexicon& lexicon, Document& document) {
+  settle_states_of_kinds(lexicon, document);
   std::vector<const Mention*> things;  // in the order of the text
   for (const Mention& mention : document.mentions) {
     if (!mention.items.empty()) things.push_back(&mention);
