@@ -271,9 +271,16 @@ TEST_F(OfflinePlannerTest, AttributesGoToTheirObject) {
   EXPECT_EQ(read.objects[1].attributes, (std::vector<std::string>{"small", "round"}));
 }
 
-TEST(OfflinePlanner, OfSeveralEachHasTheColorThatIsSaidOfIt) {
+TEST_F(OfflinePlannerTest, WhatStandsAlongAWholeWallIsAsLongAsIt) {
+  const SceneGraph read = scene("A bedroom 4 x 3 m with a wardrobe along the whole left wall.");
+  ASSERT_GE(read.objects.size(), 1u);
+  ASSERT_TRUE(read.objects[0].size.has_value());
+  EXPECT_NEAR(read.objects[0].size->usual.width, 3000, 50);
+}
+
+TEST_F(OfflinePlannerTest, OfSeveralEachHasTheColorThatIsSaidOfIt) {
   const SceneGraph three = scene("Three cushions: one red, one green and one blue.");
-  ASSERT_EQ(three.objects.size(), 3U);
+  ASSERT_EQ(three.objects.size(), 3u);
   EXPECT_EQ(three.objects[0].attributes, std::vector<std::string>{"red"});
   EXPECT_EQ(three.objects[1].attributes, std::vector<std::string>{"green"});
   EXPECT_EQ(three.objects[2].attributes, std::vector<std::string>{"blue"});

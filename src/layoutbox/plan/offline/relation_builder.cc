@@ -52,6 +52,7 @@ void RelationBuilder::run() {
   carry_support();
   for (std::size_t i = 0; i < scene_.objects.size(); ++i) settle_mount(i);
   settle_stands();
+  fill_whole_walls();
   leave_middle_to_rows();
   make_room_between();
   add_habits();

@@ -212,6 +212,7 @@ class RelationBuilder {
   bool settle_on_floor(SceneObject& object, const NounPhrase& noun);
   bool settle_tall(SceneObject& object, const NounPhrase& noun);
   void settle_stands();
+  void fill_whole_walls();
   void leave_middle_to_rows();
   void make_room_between();
   void seat_in_reach(const std::vector<std::pair<std::string, std::string>>& in_reach);

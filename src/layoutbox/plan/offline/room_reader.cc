@@ -7,6 +7,7 @@
 #include "layoutbox/catalog/normalize.h"
 #include "layoutbox/catalog/opening_look.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
+#include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {

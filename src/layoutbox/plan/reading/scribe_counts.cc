@@ -26,6 +26,11 @@ std::size_t walls_meant(const NounPhrase& wall) {
   return some ? 2 : 4;
 }
 
+// "metal shelving on both long walls", "racking along the walls": however many it takes.
+bool is_stuff_of_walls(const NounPhrase& noun) {
+  return noun.determiner == Determiner::kNone && !noun.plural && noun.count == 0 && noun.head.ends_with("ing") && is_storage(noun);
+}
+
 }  // namespace
 
 // "a wall covered in bookshelves", "tall shelves on every wall": so many that they fill an ordinary wall, or stand at all but the front
@@ -35,7 +40,7 @@ std::size_t Scribe::row_along_walls(const Link& link, int target, const NounPhra
   constexpr std::size_t kWalls = 3, kMostAtWall = 5;
   const CatalogEntry* entry = noun_of(target).entry;
   if (entry == nullptr || entry->mount != Mount::kFloor || !entry->back_to_wall) return 0;
-  bool full = is_full_height(noun_of(target));
+  bool full = is_full_height(noun_of(target)) || is_stuff_of_walls(noun_of(target));
   for (std::size_t i = link.first; i < link.last; ++i) full |= lexicon_.is_in("full", document_.tokens[i].text);
   const bool boards = says(link.senses, RelationType::kOnWall) && lexicon_.catalog().find("wall_" + entry->id) != nullptr;
   if (boards && !full && !is_tall(noun_of(target))) return 0;
@@ -49,7 +54,8 @@ std::size_t Scribe::row_along_walls(const Link& link, int target, const NounPhra
 
 // "bookshelves lining three walls": at least one at each.
 void Scribe::grow_along_walls(const Link& link, int target, const NounPhrase& wall) {
-  if (wall.kind != NounKind::kWall || !noun_of(target).plural || noun_of(target).count > 0) return;
+  const bool several = noun_of(target).plural || (is_stuff_of_walls(noun_of(target)) && (wall.plural || wall.count > 1));
+  if (wall.kind != NounKind::kWall || !several || noun_of(target).count > 0) return;
   references_.grow(target, std::max(static_cast<std::size_t>(std::max(wall.count, 0)), row_along_walls(link, target, wall)));
 }
 
