@@ -53,6 +53,7 @@ Dressings read_dressings() {
     dressing.stretch = length_in(row, "stretch");
     dressing.before = length_in(row, "before");
     dressing.area_m2 = row.value("area", 0.0);
+    dressing.few = row.value("few", 0);
     dressings.rows.push_back(std::move(dressing));
   }
   dressings.rehung = names_in(data, "rehung");

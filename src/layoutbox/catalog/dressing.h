@@ -27,6 +27,7 @@ struct Dressing {
   Mm stretch = 0;                     // so much wall must be free
   Mm before = 0;                      // so much floor stays free before it
   double area_m2 = 0;                 // not in smaller rooms
+  int few = 0;                        // not where the text asks for more kinds of things than that; 0: however many
 };
 
 // How the units of a kitchen are arranged, and by which words a text says so.

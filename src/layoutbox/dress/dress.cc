@@ -49,6 +49,7 @@ bool is_wanted(const Dresser& dresser, const Dressing& row) {
   const CatalogEntry* kind = dresser.catalog().find(row.adds);
   if (kind == nullptr || is_out_of_theme(dresser, row.adds) || !is_among(row.rooms, room.type) || m2_of(room) < row.area_m2) return false;
   if ((!row.said.empty() && !dresser.spoken().says_any(row.said)) || dresser.spoken().says_any(row.unsaid)) return false;
+  if (row.few > 0 && dresser.spoken().kinds_asked() > row.few) return false;  // who says so much wants that and not a clock besides
   if (std::ranges::any_of(row.unless, [&](const std::string& id) { return dresser.is_there(id); })) return false;
   if (row.unspoken.empty()) return !dresser.spoken().of(*kind);
   const bool lifted = dresser.spoken().says_any(row.lifted);  // "cabinets" of a kitchen are what is added

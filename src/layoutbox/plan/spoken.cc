@@ -1,6 +1,7 @@
 #include "layoutbox/plan/spoken.h"
 
 #include <algorithm>
+#include <set>
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/size_words.h"
@@ -45,6 +46,14 @@ bool Spoken::of_just(const CatalogEntry& kind) const {
 bool Spoken::names(const CatalogEntry& kind) const {
   return excludes(kind) ||
          std::ranges::any_of(named_, [&](const auto& thing) { return thing.asked && catalog_->is_a(thing.category, kind.id); });
+}
+
+int Spoken::kinds_asked() const {
+  std::set<std::string_view> kinds;
+  for (const Named& thing : named_) {
+    if (thing.asked) kinds.insert(thing.category);
+  }
+  return static_cast<int>(kinds.size());
 }
 
 bool Spoken::says_any(const std::vector<std::string>& phrases) const {

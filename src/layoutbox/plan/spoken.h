@@ -23,6 +23,8 @@ class Spoken {
   bool of_just(const CatalogEntry& kind) const;
   // It asks for that kind or a special one, or it wants none: "chairs" are no office chairs, and those of "a table for four" not asked for.
   bool names(const CatalogEntry& kind) const;
+  // Of how many kinds it asks for things.
+  int kinds_asked() const;
   // One of the phrases stands in the text, word for word.
   bool says_any(const std::vector<std::string>& phrases) const;
   // "Nothing else", "an empty room"; but not "an empty room, please furnish".

@@ -55,6 +55,38 @@ void RelationBuilder::build_in_ovens() {
   }
 }
 
+// The only worktop that the text names; empty: none.
+std::string RelationBuilder::counter_of_run(const std::vector<std::string>& units) const {
+  std::string counter;
+  for (const std::string& unit : units) {
+    const CatalogEntry& entry = *noun_of_object(*object_of(unit)).entry;
+    if (!entry.is(Trait::kCounter) || entry.is(Trait::kWashUp) || !entry.spaces.empty() || !object_of(unit)->asked()) continue;
+    if (!counter.empty()) return {};
+    counter = unit;
+  }
+  return counter;
+}
+
+// "a counter with a sink at the left end and a stove at the right end": what can be is let into it, the rest stands right beside it.
+void RelationBuilder::place_at_counter(Relation& relation, const std::string& counter, bool left) {
+  constexpr Mm kBeside = 50;
+  const CatalogEntry& host = *noun_of_object(*object_of(counter)).entry;
+  const std::string target = relation.targets[0];
+  for (std::size_t m = 0; m < document_.mentions.size(); ++m) {
+    const std::vector<int>& items = document_.mentions[m].items;
+    if (items.size() == 1 && id(items.front()) == target) let_in(static_cast<int>(m), host);
+  }
+  const NounPhrase& noun = noun_of_object(*object_of(target));
+  relation.references = {counter};
+  if (mount_of(noun) == Mount::kSurface) {
+    relation.type = R::kOn;
+    relation.parameters.part = left ? PartWord::kLeft : PartWord::kRight;
+    return;
+  }
+  relation.type = left ? R::kLeftOf : R::kRightOf;
+  relation.parameters.max = kBeside;
+}
+
 // "fridge at the left end, sink in the middle, stove at the right end": of the run.
 void RelationBuilder::place_in_run(Relation& relation, const std::vector<std::string>& units) {
   constexpr Mm kRun = 4000;  // how far off an end of it is
@@ -63,6 +95,8 @@ void RelationBuilder::place_in_run(Relation& relation, const std::vector<std::st
   if (!words_.end_with(relation, "end")) return;
   const bool left = words_.have(relation, "left"), right = words_.have(relation, "right");
   if (left == right) return;
+  if (const std::string counter = counter_of_run(units); !counter.empty() && counter != relation.targets[0])
+    return place_at_counter(relation, counter, left);
   relation.references.clear();
   for (const std::string& unit : units) {
     const CatalogEntry& entry = *noun_of_object(*object_of(unit)).entry;

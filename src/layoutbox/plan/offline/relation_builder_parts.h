@@ -169,6 +169,8 @@ class RelationBuilder {
   void stand_hobs();
   void raise_stools();
   void line_up_units(const std::vector<std::string>& units);
+  std::string counter_of_run(const std::vector<std::string>& units) const;
+  void place_at_counter(Relation& relation, const std::string& counter, bool left);
   void place_in_run(Relation& relation, const std::vector<std::string>& units);
   void share_out_over_run(const std::vector<std::string>& units);
   void settle_kitchen();
