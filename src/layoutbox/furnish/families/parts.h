@@ -16,6 +16,12 @@ void slab(Piece& p, int surface, const Box& b, std::string_view top, double beve
 // How thick what stands at the left and right may be: up to the spaces between them, at most `most`.
 double side_room(const Piece& p, double most);
 
+// The levels and edges of a seat, from its free space where it has one.
+struct Seat {
+  double level, left, right, back;
+};
+Seat seat_of(const Piece& p, double level, double arm, double back);
+
 // A handle or knob on a front that looks to −y: its plate at y, reaching `out` towards the viewer. `vertical` handles are `size` long.
 enum class Handle { kNone, kKnob, kVertical, kHorizontal };
 void handle(Piece& p, int surface, Handle kind, Vec at, double size, double out);
