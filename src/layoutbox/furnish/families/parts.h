@@ -58,6 +58,8 @@ using ShelfContents = void (*)(Piece&, const Box&);
 ShelfContents contents_of(const Piece& p);
 // … by its word in decor.json; books where no such word is known.
 ShelfContents contents_named(std::string_view name);
+// … of what shops have alone; null where it is none of those.
+ShelfContents shop_contents_named(std::string_view name);
 
 // A frame of four bars round a rectangle on a wall; what it holds lies between its front and back.
 void picture_frame(Piece& p, int surface, double width);
