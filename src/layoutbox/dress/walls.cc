@@ -2,20 +2,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "layoutbox/catalog/measures.h"
 #include "layoutbox/dress/places.h"
 
 namespace layoutbox::dressing {
 namespace {
 
-constexpr double kAtWall = 350;    // mm: what stands no farther off has the wall behind it
-constexpr double kBeforeIt = 300;  // mm that are free before what hangs, so that it is seen
-constexpr double kAround = 80;     // … and about it
-constexpr double kAbove = 150;     // between a top and what hangs over it
+constexpr double kAtWall = 350;  // mm: what stands no farther off has the wall behind it
 constexpr double kOverPicture = 120;
 constexpr double kOfWidth = 0.6;     // a single picture's share of what it hangs over
 constexpr double kOfStretch = 0.38;  // … of its stretch of wall
 constexpr double kBasin = 1000;      // what hangs lower is like what stands
-constexpr double kBetween = 120;     // pictures of a row
 
 Size within(const CatalogEntry& entry, Size size, double scale) {
   const auto held = [&](Mm side, Mm least, Mm most) {
@@ -30,27 +27,30 @@ Size within(const CatalogEntry& entry, Size size, double scale) {
 double height_for(const Dresser& dresser, const Dressing& row, const Size& size, double top) {
   const CatalogEntry& entry = dresser.catalog().entry_or_nearest(row.adds);
   const double usual = entry.hang_height + (entry.size.usual.height - size.height) / 2.0;
-  return on_grid(std::max(usual, top + kAbove));
+  return on_grid(std::max(usual, top + measures().picture_over_top));
 }
 
 // Stretches where something so flat hangs in full view; what stands or hangs before it hides it, a door does not.
 std::vector<Span> seen_stretches(const Dresser& dresser, const DressedWall& wall, double depth, Span height) {
   return shared(dresser.room().free_along(wall, {0, depth}, height),
-                dresser.room().free_along(wall, {0, kBeforeIt}, height, FreeRoom::Count::kThings));
+                dresser.room().free_along(wall, {0, double(measures().seen_from)}, height, FreeRoom::Count::kThings));
 }
 
 bool fits(const Dresser& dresser, const DressedWall& wall, Span along, double depth, Span height) {
   if (height.high > dresser.layout().room.height - kOverPicture) return false;
-  const auto holds = [&](const Span& free) { return free.low <= along.low - kAround && free.high >= along.high + kAround; };
+  const auto holds = [&](const Span& free) {
+    return free.low <= along.low - measures().around_picture && free.high >= along.high + measures().around_picture;
+  };
   return std::ranges::any_of(seen_stretches(dresser, wall, depth, height), holds);
 }
 
 // A row of them, centred there; the first that is hindered hinders all.
 bool hang(Dresser& dresser, const Dressing& row, const DressedWall& wall, double middle, double top, const Size& size, int count) {
-  const double whole = count * size.width + (count - 1) * kBetween, from = middle - whole / 2;
+  const double whole = count * size.width + (count - 1) * measures().between_pictures, from = middle - whole / 2;
   const double height = height_for(dresser, row, size, top);
   if (!fits(dresser, wall, {from, from + whole}, size.depth, {height, height + size.height})) return false;
-  for (int k = 0; k < count; ++k) dresser.add_at_wall(row.adds, row.words, size, wall, from + k * (size.width + kBetween), height);
+  for (int k = 0; k < count; ++k)
+    dresser.add_at_wall(row.adds, row.words, size, wall, from + k * (size.width + measures().between_pictures), height);
   return true;
 }
 
@@ -68,7 +68,8 @@ void hang_over_things(Dresser& dresser, const Dressing& row) {
     Size size = dresser.size_of(row);
     int count = 1;
     if (row.size.width > 0) {
-      count = std::clamp(static_cast<int>((below.size.width + kBetween) / (size.width + kBetween)), 1, std::min(3, left));
+      count = std::clamp(static_cast<int>((below.size.width + measures().between_pictures) / (size.width + measures().between_pictures)), 1,
+                         std::min(3, left));
     } else {
       size = within(entry, size, below.size.width * kOfWidth / size.width);
     }

@@ -11,7 +11,6 @@
 #include "layoutbox/base/files.h"
 #include "layoutbox/furnish/mesh_readers.h"
 
-#define TINYGLTF_IMPLEMENTATION
 #include "layoutbox/furnish/gltf_parts.h"
 
 namespace layoutbox {

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "layoutbox/catalog/groups.h"
+#include "layoutbox/catalog/measures.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/spoken.h"
 #include "layoutbox/scene/relation_traits.h"
@@ -150,14 +151,13 @@ class Companions {
       relate(RelationType::kAround, seats, id);
       return;
     }
-    constexpr Mm kAtHand = 400;
     const bool knees = std::ranges::any_of(entry->spaces, [](const SpaceFormula& space) { return !space.carries; });
     if (knees && is_used(Side::kFront) && !serves && !visited) {  // pushed under, out of the way until somebody sits down
       relate(RelationType::kNextTo, seats, id);
       return;
     }
     const bool behind = serves || visited || (!is_used(Side::kFront) && is_used(Side::kBack));
-    relate(behind ? RelationType::kBehind : RelationType::kInFrontOf, seats, id, kAtHand);
+    relate(behind ? RelationType::kBehind : RelationType::kInFrontOf, seats, id, measures().seat_at_hand);
     relate(RelationType::kFacing, seats, id);
   }
 

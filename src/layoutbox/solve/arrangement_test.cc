@@ -11,19 +11,9 @@
 namespace layoutbox::placement {
 namespace {
 
-const PlacedObject& object(const Layout& layout, const std::string& id) {
-  const PlacedObject* found = layout.find_object(id);
-  if (!found) throw std::runtime_error(id + " is not there");
-  return *found;
-}
-
 TestPoint seen_from(const Layout& layout, const std::string& host, const std::string& id) {
   const PlacedObject& other = object(layout, id);
   return in_frame_of(object(layout, host), {other.position[0], other.position[1], 0});
-}
-
-double turned(const Layout& layout, const std::string& a, const std::string& b) {
-  return std::abs(std::remainder(object(layout, a).rotation_deg - object(layout, b).rotation_deg, 360));
 }
 
 std::vector<std::string> ids(const std::string& kind, int count) {

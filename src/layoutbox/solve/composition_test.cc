@@ -16,10 +16,6 @@ TestPoint from(const Layout& layout, const std::string& other, const std::string
   return in_frame_of(*layout.find_object(other), {o.position[0], o.position[1], 0});
 }
 
-double turned(const Layout& layout, const std::string& a, const std::string& b) {
-  return std::abs(std::remainder(layout.find_object(a)->rotation_deg - layout.find_object(b)->rotation_deg, 360));
-}
-
 TEST(Composition, EachOfTwoDesksHasItsChairBeforeItsMiddle) {
   const Layout layout = solved_as_asked(SceneMaker(3500, 3000)
                                             .add("desk", 2)

@@ -12,20 +12,6 @@
 namespace layoutbox::placement {
 namespace {
 
-const PlacedObject& object(const Layout& layout, const std::string& id) {
-  const PlacedObject* found = layout.find_object(id);
-  if (!found) throw std::runtime_error(id + " is not there");
-  return *found;
-}
-
-// Along the host's own axes, from its middle: x to its right, y to its back.
-Point seen_from(const PlacedObject& host, const PlacedObject& other) {
-  const double a = host.rotation_deg * 3.14159265358979 / 180, x = other.position[0] - host.position[0],
-               y = other.position[1] - host.position[1];
-  return {static_cast<Mm>(std::lround(std::cos(a) * x + std::sin(a) * y)),
-          static_cast<Mm>(std::lround(-std::sin(a) * x + std::cos(a) * y))};
-}
-
 std::string numbered(const std::string& kind, int i) { return kind + "_" + std::to_string(i); }
 
 // From the nearest wall of a room that begins at the origin to the edge of what is about as deep as wide.

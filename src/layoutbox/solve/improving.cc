@@ -15,7 +15,7 @@ constexpr std::int64_t kShortPatience = 1, kPatienceShaken = 4;  // moves in vai
 constexpr std::int64_t kShareOfLast = 4;
 // A cost (a score of 0.5), above which so many times the effort is worth it, in rooms of so few things.
 constexpr std::int64_t kPoor = 1'000'000, kMoreForPoor = 2;
-constexpr std::size_t kFew = 40;
+constexpr std::size_t kFewItems = 40;
 constexpr std::int64_t kShareOfStarts = 8;
 
 }  // namespace
@@ -72,7 +72,7 @@ void Solver::improve() {
     return;
   }
   int idle = 0;  // since the last that brought something
-  bool more = model_.items.size() <= kFew;
+  bool more = model_.items.size() <= kFewItems;
   for (int start = 0; idle < kIdleShakes; ++start, ++idle) {
     if (budget.spent()) {
       if (!std::exchange(more, false) || least < kPoor || budget.stopped) break;

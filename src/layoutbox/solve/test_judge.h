@@ -85,14 +85,43 @@ inline void expect_sound(const Layout& layout) {
   }
 }
 
-// The scene by the built-in catalogue, sound and as it was asked for.
-inline Layout solved_as_asked(const SceneGraph& scene) {
-  auto layout = solve(scene, Catalog::builtin(), {});
+// The scene by the built-in catalogue, sound.
+inline Layout solved_soundly(const SceneGraph& scene, SolveOptions options = {}) {
+  auto layout = solve(scene, Catalog::builtin(), options);
   EXPECT_TRUE(layout) << (layout ? "" : layout.error().message);
   if (!layout) return {};
   expect_sound(*layout);
-  EXPECT_EQ(layout->status, LayoutStatus::kSolved);
   return *layout;
+}
+
+// … and as it was asked for.
+inline Layout solved_as_asked(const SceneGraph& scene) {
+  Layout layout = solved_soundly(scene);
+  EXPECT_EQ(layout.status, LayoutStatus::kSolved);
+  return layout;
+}
+
+inline const PlacedObject& object(const Layout& layout, const std::string& id) {
+  const PlacedObject* found = layout.find_object(id);
+  if (!found) throw std::runtime_error(id + " is not there");
+  return *found;
+}
+
+// Along the host's own axes, from its middle: x to its right, y to its back.
+inline Point seen_from(const PlacedObject& host, const PlacedObject& other) {
+  const double a = host.rotation_deg * 3.14159265358979 / 180, x = other.position[0] - host.position[0],
+               y = other.position[1] - host.position[1];
+  return {static_cast<Mm>(std::lround(std::cos(a) * x + std::sin(a) * y)),
+          static_cast<Mm>(std::lround(-std::sin(a) * x + std::cos(a) * y))};
+}
+
+inline double turned(const Layout& layout, const std::string& a, const std::string& b) {
+  return std::abs(std::remainder(object(layout, a).rotation_deg - object(layout, b).rotation_deg, 360));
+}
+
+inline double between_middles(const Layout& layout, const std::string& a, const std::string& b) {
+  const PlacedObject *one = layout.find_object(a), *other = layout.find_object(b);
+  return std::hypot(one->position[0] - other->position[0], one->position[1] - other->position[1]);
 }
 
 inline bool holds(const Layout& layout, const std::string& relation) {

@@ -11,16 +11,10 @@
 namespace layoutbox::placement {
 namespace {
 
-const PlacedObject& object(const Layout& layout, const std::string& id) { return *layout.find_object(id); }
-
 // Where one stands in the other's frame.
 TestPoint seen_from(const Layout& layout, const std::string& from, const std::string& what) {
   const PlacedObject& thing = object(layout, what);
   return in_frame_of(object(layout, from), {thing.position[0], thing.position[1], 0});
-}
-
-double turned(const Layout& layout, const std::string& a, const std::string& b) {
-  return std::abs(std::remainder(object(layout, a).rotation_deg - object(layout, b).rotation_deg, 360));
 }
 
 // Free floor between two upright boxes.

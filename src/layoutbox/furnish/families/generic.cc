@@ -36,8 +36,10 @@ const Families& families() {
   static const Families all = [] {
     Families f;
     add_seats(f);
+    add_sofas(f);
     add_tables(f);
     add_beds(f);
+    add_cribs(f);
     add_storage(f);
     add_lamps(f);
     add_screens(f);
@@ -47,6 +49,7 @@ const Families& families() {
     add_plants(f);
     add_lounge(f);
     add_kitchen(f);
+    add_sinks(f);
     add_bath(f);
     add_tableware(f);
     add_small_things(f);
@@ -55,14 +58,17 @@ const Families& families() {
     add_music(f);
     add_gym(f);
     add_shop(f);
+    add_vending(f);
     add_trade(f);
     add_games_and_clinic(f);
     add_workshop(f);
     add_hall(f);
     add_appliances(f);
     add_outdoor_things(f);
+    add_things_on_tables(f);
     add_media(f);
     add_household(f);
+    add_pastimes(f);
     add_worn_things(f);
     add_garden_things(f);
     add_clocks(f);

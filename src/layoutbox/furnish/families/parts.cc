@@ -22,6 +22,11 @@ double side_room(const Piece& p, double most) {
   return std::max(0.004, room);
 }
 
+Seat seat_of(const Piece& p, double level, double arm, double back) {
+  if (const FreeSpace* s = p.open_above()) return {s->box.min.z, s->box.min.x, s->box.max.x, s->box.max.y};
+  return {std::min(level, p.h * 0.6), -p.w / 2 + arm, p.w / 2 - arm, p.d / 2 - back};
+}
+
 void handle(Piece& p, int surface, Handle kind, Vec at, double size, double out) {
   if (kind == Handle::kNone) return;
   if (kind == Handle::kKnob) {

@@ -16,6 +16,12 @@ void slab(Piece& p, int surface, const Box& b, std::string_view top, double beve
 // How thick what stands at the left and right may be: up to the spaces between them, at most `most`.
 double side_room(const Piece& p, double most);
 
+// The levels and edges of a seat, from its free space where it has one.
+struct Seat {
+  double level, left, right, back;
+};
+Seat seat_of(const Piece& p, double level, double arm, double back);
+
 // A handle or knob on a front that looks to −y: its plate at y, reaching `out` towards the viewer. `vertical` handles are `size` long.
 enum class Handle { kNone, kKnob, kVertical, kHorizontal };
 void handle(Piece& p, int surface, Handle kind, Vec at, double size, double out);
@@ -52,6 +58,8 @@ using ShelfContents = void (*)(Piece&, const Box&);
 ShelfContents contents_of(const Piece& p);
 // … by its word in decor.json; books where no such word is known.
 ShelfContents contents_named(std::string_view name);
+// … of what shops have alone; null where it is none of those.
+ShelfContents shop_contents_named(std::string_view name);
 
 // A frame of four bars round a rectangle on a wall; what it holds lies between its front and back.
 void picture_frame(Piece& p, int surface, double width);

@@ -12,7 +12,7 @@
 namespace layoutbox::vlm {
 namespace {
 
-constexpr std::string_view kTask =
+constexpr std::string_view kWrittenTask =
     "You write questions about a picture of a furnished room for somebody who sees only the picture. "
     "Of each numbered statement you make one question that is answered by yes where all of the statement is so and by no where not. "
     "Some statements are deliberately false: do not mend them, and do not hint at the answer. Name things by words, not by their ids.";
@@ -41,7 +41,7 @@ Status write_questions(std::vector<RoomQuestion>& questions, const std::string& 
   if (questions.empty()) return {};
   std::string text = "The room as it was meant, in JSON:\n" + scene + "\nThe statements:\n";
   for (std::size_t i = 0; i < questions.size(); ++i) text += fmt::format("{}. {}\n", i + 1, statement(questions[i]));
-  Asking asking{kTask, std::move(text), {}, {"write_questions", "The questions", schema_for(questions.size()), true}};
+  Asking asking{kWrittenTask, std::move(text), {}, {"write_questions", "The questions", schema_for(questions.size()), true}};
   chat::Request request = request_for(std::move(asking), options);
   request.max_response_tokens = 200 + 100 * static_cast<int>(questions.size());
   LAYOUTBOX_ASSIGN(const chat::Response response, client.ask(request));

@@ -15,7 +15,7 @@ using nlohmann::json;
 namespace {
 
 constexpr std::size_t kLongestName = 80;
-constexpr std::string_view kSigns = "<>&\"`\\/|$;{}[]*?";
+constexpr std::string_view kMendedSigns = "<>&\"`\\/|$;{}[]*?";
 
 }  // namespace
 
@@ -44,7 +44,7 @@ std::string clean_id(std::string_view written) {
 std::string clean_name(std::string_view written) {
   std::string name;
   for (const char c : plain_text(written)) {
-    if (c != ' ' && kSigns.find(c) == std::string_view::npos) {
+    if (c != ' ' && kMendedSigns.find(c) == std::string_view::npos) {
       name += c;
     } else if (!name.empty() && name.back() != ' ') {
       name += ' ';

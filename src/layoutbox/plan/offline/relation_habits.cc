@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "layoutbox/catalog/measures.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
@@ -262,7 +263,7 @@ void RelationBuilder::add_habits() {
     const bool at_back = relation.type == R::kBehind && other.entry != nullptr && other.entry->used_sides == std::vector{Side::kBack};
     if ((relation.type == R::kInFrontOf || at_back) && is_seat(catalog_, thing) && is_table(catalog_, other) &&
         !one_of(thing.head, {"sofa", "couch", "loveseat"}) && !scene_.relations[r].parameters.max)
-      scene_.relations[r].parameters.max = 400;
+      scene_.relations[r].parameters.max = measures().seat_at_hand;
     // Both at walls: across the room from each other, as far as that is in most rooms.
     constexpr Mm kAcrossTheRoom = 3500;
     const auto stands_at_wall = [&](const SceneObject& object) {

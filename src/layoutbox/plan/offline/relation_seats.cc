@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <map>
 
+#include "layoutbox/catalog/measures.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
@@ -89,11 +90,10 @@ void RelationBuilder::seat_at_only_table() {
 
 // A table high and large enough to sit at with others.
 bool RelationBuilder::is_eaten_at(const NounPhrase& noun) const {
-  constexpr Mm kHigh = 650, kWide = 600;
   const CatalogEntry& entry = *noun.entry;
   const Size& usual = entry.size.usual;
-  return entry.is(Trait::kTable) && !entry.is(Trait::kCoffeeTable) && usual.height >= kHigh &&
-         std::min(usual.width, usual.depth) >= kWide && one_of(noun.head, {"table"});
+  return entry.is(Trait::kTable) && !entry.is(Trait::kCoffeeTable) && usual.height >= measures().eaten_at_high &&
+         std::min(usual.width, usual.depth) >= measures().eaten_at_wide && one_of(noun.head, {"table"});
 }
 
 // "four manicure tables along the wall, each with two chairs": a table at which one sits face to face has its narrow end at the wall.

@@ -6,6 +6,7 @@
 
 #include "layoutbox/base/units.h"
 #include "layoutbox/catalog/groups.h"
+#include "layoutbox/catalog/measures.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/mention_links.h"
@@ -83,11 +84,11 @@ class TableSeats {
     return named;
   }
 
-  // Two sit side by side at a desk of 1.2 m (DIN EN 1729, desks for two).
+  // Two sit side by side.
   void widen_for_two(int m) {
     for (const int item : mention(m).items) {
       SaidSize& size = document_.items[static_cast<std::size_t>(item)].noun.size;
-      if (!size.any()) size.width = 1.2;
+      if (!size.any()) size.width = m_from_mm(measures().desk_for_two);
     }
   }
 
@@ -203,13 +204,12 @@ class TableSeats {
     const int things = static_cast<int>(mention(link.targets[0]).items.size());
     const Mention& stand = mention(link.references[0]);
     const NounPhrase& noun = stand.noun;
-    constexpr double kForOne = 0.7;  // metres: a plinth, a tripod
     if (!stand.introduces || stand.items.empty() || noun.kind != NounKind::kObject || noun.entry == nullptr || !noun.plural ||
         noun.count != 0)
       return;
     const Size& size = noun.entry->size.usual;
     const bool small = noun.entry->mount == Mount::kFloor && !is_table(catalog_, noun) && !noun.entry->is(Trait::kShelving) &&
-                       std::min(size.width, size.depth) <= kForOne * 1000 + 100 && std::max(size.width, size.depth) <= 1000;
+                       std::min(size.width, size.depth) <= measures().stand_for_one + 100 && std::max(size.width, size.depth) <= 1000;
     if (small && things > static_cast<int>(stand.items.size())) builder_.grow(link.references[0], things);
   }
 

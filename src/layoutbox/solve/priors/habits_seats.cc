@@ -1,4 +1,5 @@
 // Habits of seats at desks, tables and counters, and what a relation leaves open between things that belong together.
+#include "layoutbox/catalog/measures.h"
 #include "layoutbox/scene/relation_traits.h"
 #include "layoutbox/solve/priors/formation.h"
 #include "layoutbox/solve/priors/habits.h"
@@ -13,10 +14,9 @@ bool Habits::only_near(int item, int host) const {
 
 // Does one sit there on such a seat? Not on a chair at a children's table, nor at a coffee table, where nobody says so.
 bool Habits::takes_seat(int host, int seat) const {
-  constexpr Mm kLow = 600, kHighSeat = 700;
   const Item &table = model_.items[host], &self = model_.items[seat];
   if (related(seat, host) || !table.is(Trait::kTable)) return true;
-  return table.states[0].size.height >= kLow || self.states[0].size.height <= kHighSeat;
+  return table.states[0].size.height >= measures().sat_at_from || self.states[0].size.height <= measures().low_seat_to;
 }
 
 // The greater things that it usually stands by.
@@ -51,17 +51,17 @@ void Habits::come_near(int item, int host) {
   const bool before = before_its_host(item) && ref.has_front &&
                       only_related_by(item, host, RelationSet(RelationType::kInFrontOf, RelationType::kCenteredOn));
   if (!at_desk && !at_foot && !before) return;
+  const Mm wished = before ? measures().footstool_before : at_foot ? measures().bench_at_foot : measures().chair_at_desk;
   Formula f;
   for_each_turn(ref, [&](int turn, std::uint64_t states) {
     if (turn % 90 != 0) return;
     const Direction front = side_direction(ref, Side::kFront, turn);
-    Case& c = f.add().when(host, states).wish(gap_towards(item, host, front) - Linear(before ? 400 : at_foot ? 50 : 10), kBeside);
+    Case& c = f.add().when(host, states).wish(gap_towards(item, host, front) - Linear(wished), kBeside);
     if (at_foot || before) c.when(item, states_with_width_along(self, across(front)));
     if (at_foot) c.wish(mid2(item, across(front)) - mid2(host, across(front)), kBeside, 2);
   });
   if (ref.spans >= 0 && ref.odd_states != 0) {
     const std::size_t known = f.cases.size();
-    const Mm wished = before ? 400 : at_foot ? 50 : 10;
     add_beside(f, model_, item, host, Side::kFront, {.most = 1500, .wished_gap = wished, .ref_states = ref.odd_states});
     for (std::size_t i = known; i < f.cases.size(); ++i) f.cases[i].wishes[0].weight = kBeside;
   }
@@ -71,7 +71,6 @@ void Habits::come_near(int item, int host) {
 // Who sits beside a bed, a bookcase or a machine does not have it before the knees: the visitor's chair looks past the bed, or stands off
 // it.
 void Habits::keep_nose_free(int item) {
-  constexpr Mm kKnees = 500;
   constexpr int kFree = 300;  // points a metre
   const Item& self = model_.items[item];
   if (!self.has_front || (!self.is(Trait::kSeat) && !self.is(Trait::kEasySeat))) return;
@@ -91,7 +90,7 @@ void Habits::keep_nose_free(int item) {
     for_each_turn(self, [&](int turn, std::uint64_t states) {
       if (turn % 90 != 0) return;
       const Direction front = side_direction(self, Side::kFront, turn);
-      f.add().when(item, states).require(gap_towards(host, item, front) - Linear(kKnees));
+      f.add().when(item, states).require(gap_towards(host, item, front) - Linear(measures().knees_free));
       for (const Direction past : {opposite(front), Direction{across(front), 1}, Direction{across(front), -1}})
         f.add().when(item, states).require(gap_towards(host, item, past));
     });
@@ -101,7 +100,6 @@ void Habits::keep_nose_free(int item) {
 
 // Seats with a table between them draw up to it.
 bool Habits::sit_by_between(int item) {
-  constexpr Mm kEasyGap = 350, kChairGap = 50;
   const Item& self = model_.items[item];
   if (!self.is(Trait::kSeat) && !self.is(Trait::kEasySeat)) return false;
   for (const Relation& r : model_.scene->relations) {
@@ -113,7 +111,9 @@ bool Habits::sit_by_between(int item) {
     for (const int axis : {0, 1}) {
       for (const int sign : {1, -1}) {
         f.add()
-            .wish(gap_towards(item, middle, {axis, sign}) - Linear(self.is(Trait::kTableSeat) ? kChairGap : kEasyGap), kBeside)
+            .wish(gap_towards(item, middle, {axis, sign}) -
+                      Linear(self.is(Trait::kTableSeat) ? measures().chair_to_table : measures().easy_seat_to_table),
+                  kBeside)
             .wish(mid2(item, 1 - axis) - mid2(middle, 1 - axis), kBeside / 2, 2)
             .require(gap_towards(item, middle, {axis, sign}));
       }

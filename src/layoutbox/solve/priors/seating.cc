@@ -1,5 +1,6 @@
 #include "layoutbox/solve/priors/seating.h"
 #include "layoutbox/catalog/groups.h"
+#include "layoutbox/catalog/measures.h"
 
 #include <bit>
 #include <cmath>
@@ -10,11 +11,7 @@
 namespace layoutbox::placement {
 namespace {
 
-// How far a seat is pushed under a table that has room for knees: a little, so that it still counts as round the table and can be sat on.
-constexpr Mm kReachUnder = 100, kKneeless = -40, kEasyChair = -350;
-
 constexpr Mm kSquare = 150;  // sides that differ by less are alike
-constexpr Mm kElbows = 120;  // that a seat takes besides its width
 constexpr int kSqueezed = 60;
 
 constexpr std::array kSides{Side::kFront, Side::kBack, Side::kLeft, Side::kRight};
@@ -68,8 +65,8 @@ std::vector<Arm> arms_of(const Seats& seats, Mm width, Mm depth, Mm out) {
 
 Mm wished_reach_under(const Item& seat, const Item& table) {
   const std::vector<Side> used = seat.object->used_sides.value_or(seat.entry->used_sides);
-  if (used.size() == 1 && used[0] == Side::kFront) return kEasyChair;  // got into from the front only
-  return has_knee_room(table) ? kReachUnder : kKneeless;
+  if (used.size() == 1 && used[0] == Side::kFront) return -measures().easy_seat_to_table;  // got into from the front only
+  return has_knee_room(table) ? measures().pushed_under : -measures().off_kneeless;
 }
 
 // At the same height somewhere, so that the distance is that in plan.
@@ -220,11 +217,11 @@ bool is_circle(const Item& table) {
 
 // The less even, the more crowded and the less usual, the dearer.
 int price_of(const Seats& s, int n, Mm width, Mm depth, Mm seat_width, bool circle) {
-  const double even = n == 1 ? 1 : evenness(arms_of(s, width, depth, seat_width / 2 - kReachUnder));
+  const double even = n == 1 ? 1 : evenness(arms_of(s, width, depth, seat_width / 2 - measures().pushed_under));
   int price = static_cast<int>((1 - even) * (circle ? 600 : 300));
   price += 40 * (std::abs(s[0] - s[1]) + std::abs(s[2] - s[3]));
   for (std::size_t side = 0; side < s.size(); ++side) {
-    if (s[side] >= 2 && s[side] * (seat_width + kElbows) > (side < 2 ? width : depth)) price += kSqueezed;
+    if (s[side] >= 2 && s[side] * (seat_width + measures().elbows) > (side < 2 ? width : depth)) price += kSqueezed;
   }
   if (n <= 4 && std::abs(width - depth) < kSquare && std::ranges::max(s) > 1) price += 120;        // one at each side of a square one
   if (n <= 2 && (width > depth ? s[2] + s[3] : width < depth ? s[0] + s[1] : 0) > 0) price += 20;  // long sides first
