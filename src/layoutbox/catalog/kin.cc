@@ -164,9 +164,10 @@ std::string_view kept_in_entry(std::string_view head, const CatalogEntry& host) 
 }
 
 bool is_own_part(const Catalog& catalog, std::string_view owner, std::string_view part) {
-  const auto found = known_kinds().own_parts.find(owner);
-  if (found == known_kinds().own_parts.end()) return false;
-  return std::ranges::any_of(split_words(found->second), [&](std::string_view kind) { return catalog.is_a(part, kind); });
+  return std::ranges::any_of(known_kinds().own_parts, [&](const auto& row) {
+    return catalog.is_a(owner, row.first) &&
+           std::ranges::any_of(split_words(row.second), [&](std::string_view kind) { return catalog.is_a(part, kind); });
+  });
 }
 
 std::vector<std::pair<std::string_view, std::string_view>> kinds_in_company(std::string_view id) {

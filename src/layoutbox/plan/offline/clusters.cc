@@ -1,4 +1,5 @@
 #include "layoutbox/plan/offline/clusters.h"
+#include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/word_sets.h"
 
 #include <algorithm>
@@ -53,6 +54,22 @@ bool is_one_cluster(const Document& document, const Chunk& chunk) {
   return false;
 }
 
+// "each pair with a side table": as many tables as there are pairs.
+void give_each_group(Document& document, std::size_t k, int groups) {
+  std::vector<Chunk>& chunks = document.chunks;
+  if (groups < 2 || k + 1 >= chunks.size() || chunks[k + 1].kind != ChunkKind::kHave) return;
+  chunks[k].kind = ChunkKind::kIgnored;
+  for (std::size_t c = k + 2; c < chunks.size() && (chunks[c].kind == ChunkKind::kNoun || chunks[c].kind == ChunkKind::kAnd); ++c) {
+    NounPhrase& noun = chunks[c].noun;
+    if (chunks[c].kind != ChunkKind::kNoun || noun.kind != NounKind::kObject) continue;
+    const bool one = noun.determiner == Determiner::kIndefinite && noun.count == 0;
+    if (!one && noun.count == 0) continue;
+    noun.count = groups * (one ? 1 : noun.count);
+    noun.determiner = Determiner::kNone;
+    noun.plural = true;
+  }
+}
+
 }  // namespace
 
 void settle_clusters(const Lexicon& lexicon, Document& document) {
@@ -60,7 +77,12 @@ void settle_clusters(const Lexicon& lexicon, Document& document) {
   for (Chunk& chunk : document.chunks) {
     if (chunk.kind != ChunkKind::kNoun) continue;
     NounPhrase& noun = chunk.noun;
-    const bool groups = noun.determiner == Determiner::kDefinite && (noun.head == "group" || noun.head == "cluster" || noun.head == "pair");
+    const bool names_group = one_of(noun.head, {"group", "cluster", "pair"});
+    if (grouped != nullptr && names_group && noun.determiner == Determiner::kEach && grouped->together > 0) {
+      give_each_group(document, static_cast<std::size_t>(&chunk - document.chunks.data()), grouped->count / grouped->together);
+      continue;
+    }
+    const bool groups = noun.determiner == Determiner::kDefinite && names_group;
     if (grouped != nullptr && groups && !noun.of) {  // "plants between the groups"
       const NounPhrase said = noun;
       noun = *grouped;

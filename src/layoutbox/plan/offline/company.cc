@@ -3,6 +3,7 @@
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/kin.h"
+#include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/people.h"
 
 namespace layoutbox::offline {
@@ -50,7 +51,11 @@ void settle_company(const Lexicon& lexicon, Document& document) {
     if (!names_thing(chunks[k])) continue;
     NounPhrase& noun = chunks[k].noun;
     const NounPhrase* owner = owner_of(chunks, k);
-    if (owner != nullptr && is_own_part(catalog, owner->entry->id, noun.entry->id)) {
+    const std::size_t place = k + 1;  // "a shelf above it" is none
+    const bool elsewhere = place < chunks.size() && chunks[place].kind == ChunkKind::kRelation &&
+                           chunks[place].last < document.tokens.size() && !one_of(document.tokens[chunks[place].first].text, {"in"}) &&
+                           (document.tokens[chunks[place].last].text == "it" || document.tokens[chunks[place].last - 1].text == "it");
+    if (owner != nullptr && !elsewhere && is_own_part(catalog, owner->entry->id, noun.entry->id)) {
       noun.kind = NounKind::kPart;
       continue;
     }

@@ -184,7 +184,7 @@ void read_corrected_counts(const Lexicon& lexicon, Document& document, std::vect
 }
 
 void settle_corrected_places(Document& document) {
-  constexpr std::size_t kReach = 40;  // chunks: the time stays linear in the text
+  constexpr std::size_t kChunksBack = 40;  // chunks: the time stays linear in the text
   std::vector<Chunk>& chunks = document.chunks;
   const auto stops = [&](std::size_t k) { return chunks[k].kind == ChunkKind::kStop; };
   for (std::size_t k = 1; k < chunks.size(); ++k) {
@@ -192,7 +192,7 @@ void settle_corrected_places(Document& document) {
     // What is put elsewhere is spoken of as "it", and where is said.
     std::size_t again = k;
     bool placed = false;
-    for (std::size_t c = k; c < std::min(chunks.size(), k + kReach) && !stops(c); ++c) {
+    for (std::size_t c = k; c < std::min(chunks.size(), k + kChunksBack) && !stops(c); ++c) {
       const NounPhrase& noun = chunks[c].noun;
       if (chunks[c].kind == ChunkKind::kNoun && noun.kind == NounKind::kPronoun && again == k) again = c;
       placed |= again > k && chunks[c].kind == ChunkKind::kRelation;
@@ -200,7 +200,7 @@ void settle_corrected_places(Document& document) {
     if (!placed) continue;
     std::size_t place = k - 1;
     while (place > 0 && stops(place)) --place;
-    while (place > 0 && place + kReach > k && chunks[place].kind != ChunkKind::kRelation && !stops(place)) --place;
+    while (place > 0 && place + kChunksBack > k && chunks[place].kind != ChunkKind::kRelation && !stops(place)) --place;
     if (chunks[place].kind != ChunkKind::kRelation) continue;
     for (std::size_t c = place; c < again; ++c) {
       if (!stops(c)) chunks[c].kind = ChunkKind::kIgnored;

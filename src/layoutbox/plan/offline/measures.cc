@@ -10,6 +10,8 @@ using Class = WordClass;
 
 namespace {
 
+bool is_by(const Token& token) { return token.text == "x" || token.text == "by" || token.text == "*"; }
+
 bool words_at(std::span<const Token> tokens, std::size_t at, std::initializer_list<std::string_view> words) {
   return at + words.size() <= tokens.size() && std::equal(words.begin(), words.end(), tokens.begin() + static_cast<std::ptrdiff_t>(at),
                                                           [](std::string_view word, const Token& token) { return token.text == word; });
@@ -174,15 +176,10 @@ std::size_t read_size_of(const Lexicon& lexicon, std::span<const Token> tokens, 
   return i + measure->length - at;
 }
 
-namespace {
-
-bool is_by(const Token& token) { return token.text == "x" || token.text == "by" || token.text == "*"; }
-
-}  // namespace
-
 bool noun_goes_on(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at) {
   if (at >= tokens.size() || tokens[at].kind != Token::Kind::kWord || lexicon.is(tokens[at], Class::kAnd) ||
-      lexicon.is(tokens[at], Class::kBe) || lexicon.is(tokens[at], Class::kDefinite) || lexicon.is(tokens[at], Class::kIndefinite))
+      lexicon.is(tokens[at], Class::kBe) || lexicon.is(tokens[at], Class::kDefinite) || lexicon.is(tokens[at], Class::kIndefinite) ||
+      is_by(tokens[at]))
     return false;
   const Match match = lexicon.find(tokens, at);
   if (has(match, Class::kObject) || has(match, Class::kDoor) || has(match, Class::kWindow) || attribute_of(match) != nullptr) return true;

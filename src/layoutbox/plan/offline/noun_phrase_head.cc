@@ -5,6 +5,7 @@
 #include "layoutbox/catalog/kin.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/english.h"
+#include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
 #include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/offline/word_sets.h"
@@ -245,6 +246,50 @@ bool NounPhraseReader::comes_from(const PhrasePart& part) const {
   return !named && phrase_.first == part.first && phrase_.first > 0 && tokens_[phrase_.first - 1].text == "from" && is_place_name(part);
 }
 
+// "with north light", "soft light": what comes in; "a red light", "two lights" and "desk light" are lamps.
+bool NounPhraseReader::is_daylight(const PhrasePart& part, std::size_t head) const {
+  const bool alone = part.last == part.first + 1 && tokens_[part.first].text == "light";
+  if (!alone || head == 0 || counted_ || phrase_.determiner != Determiner::kNone) return false;
+  return std::all_of(parts_.begin(), parts_.begin() + static_cast<std::ptrdiff_t>(head), [&](const PhrasePart& p) {
+    return p.word_class == Class::kQuality || p.word_class == Class::kWallWord ||
+           (p.word_class == Class::kFiller && word_form(tokens_[p.last - 1].text) == WordForm::kAdjective);
+  });
+}
+
+// "a scriptorium with four desks", "bakehouse: …": what the text is about, and no list has, where English calls it a room or a house.
+bool NounPhraseReader::settle_unlisted_room(const PhrasePart& part) {
+  const bool anew = phrase_.determiner == Determiner::kIndefinite || phrase_.determiner == Determiner::kNone;
+  const bool lab = std::ranges::any_of(parts_, [](const PhrasePart& p) { return p.word_class == Class::kRoom; });  // "a lab module"
+  if (counted_ || part.plural || !anew || lab || !is_topic()) return false;
+  std::string_view kinds = english_line(singular_of(tokens_[part.last - 1].text));
+  const RoomKind* known = nullptr;
+  bool room = false;
+  while (!kinds.empty()) {
+    const std::string_view kind = kinds.substr(0, kinds.find(' '));
+    room = room || one_of(kind, WordSet::kRoomsInEnglish);
+    if (known == nullptr && kind != "room") known = lexicon_.catalog().find_room(kind);
+    kinds.remove_prefix(std::min(kind.size() + 1, kinds.size()));
+  }
+  if (!room) return false;
+  phrase_.kind = NounKind::kRoom;
+  phrase_.entry = nullptr;
+  phrase_.category.clear();
+  phrase_.room = known;
+  return true;
+}
+
+// Nothing was named before, and what follows says what is in it or what it is for.
+bool NounPhraseReader::is_topic() const {
+  for (std::size_t i = 0; i < phrase_.first; ++i) {
+    const Match match = lexicon_.find(tokens_, i);
+    if (has(match, Class::kObject) || has(match, Class::kRoom) || has(match, Class::kRoomNoun) ||
+        lexicon_.find_phrase(tokens_, i).length > 0)
+      return false;
+  }
+  return !more() || token().kind == Token::Kind::kPunctuation || lexicon_.is(token(), Class::kHave) ||
+         one_of(token().text, {"for", "where", "that", "in"});
+}
+
 // A head that no list has; false where it is no noun phrase at all.
 bool NounPhraseReader::settle_filler(std::size_t head) {
   const PhrasePart part = parts_[head];
@@ -267,6 +312,8 @@ bool NounPhraseReader::settle_filler(std::size_t head) {
   settle_object(part, head);
   if (place) {
     phrase_.kind = NounKind::kAbstract;
+  } else if (settle_unlisted_room(part)) {
+    return true;
   } else if (!thing && (!made || form == WordForm::kPerson)) {
     phrase_.kind = NounKind::kAbstract;
     phrase_.doubted = true;
@@ -367,7 +414,7 @@ std::optional<NounPhrase> NounPhraseReader::settle() {
   } else if (part.word_class == Class::kObject) {
     take_attributes(head - 1);
     settle_object(part, head - 1);
-    if (comes_from(part)) phrase_.kind = NounKind::kAbstract;
+    if (comes_from(part) || is_daylight(part, head - 1)) phrase_.kind = NounKind::kAbstract;
   } else {
     settle_listed(head - 1);
   }

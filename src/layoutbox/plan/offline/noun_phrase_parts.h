@@ -160,6 +160,9 @@ class NounPhraseReader {
   bool ends_in_doing(std::size_t head) const;
   bool place_at(std::size_t at) const;
   bool lacks_verb(std::size_t at) const;
+  bool is_daylight(const PhrasePart& part, std::size_t head) const;
+  bool is_topic() const;
+  bool settle_unlisted_room(const PhrasePart& part);
   bool settle_filler(std::size_t head);
   void settle_listed(std::size_t head);
   std::optional<NounPhrase> settle();

@@ -142,7 +142,8 @@ std::optional<bool> NounPhraseReader::read_thing(const Match& match, bool noun_b
   const std::size_t next = i_ + match.length;
   const bool top = next < tokens_.size() && one_of(tokens_[next].text, {"top", "tops", "surface", "base"}) &&
                    !(next + 1 < tokens_.size() && tokens_[next + 1].text == "of");  // "with a glass top"
-  if (attribute != nullptr && object != nullptr && match.length == 1 && !noun_before && (noun_after(next) || top))
+  if (attribute != nullptr && object != nullptr && match.length == 1 && !noun_before &&
+      (noun_after(next) || top || has(lexicon_.find(tokens_, next), Class::kAbstract)))  // "a mustard accent"
     return add(attribute->word_class, *attribute, match.length, match.plural);
   Token single = token();
   single.text = singular_of(single.text);
@@ -173,9 +174,10 @@ std::optional<bool> NounPhraseReader::read_thing(const Match& match, bool noun_b
 // A place, a room, a part, what is no thing; nothing where the words are none of these.
 std::optional<bool> NounPhraseReader::read_place(const Match& match, bool noun_before, bool verbal) {
   const bool named = is_named();
-  // "the window side", "the door end": where the window is.
+  // "the window side", "the door end", "by the till side": where the window is.
+  const bool known = parts_.empty() ? false : parts_.back().word_class == Class::kObject && phrase_.determiner == Determiner::kDefinite;
   const bool at_opening = noun_before && parts_.back().last == i_ && match.length == 1 &&
-                          (parts_.back().word_class == Class::kWindow || parts_.back().word_class == Class::kDoor);
+                          (known || parts_.back().word_class == Class::kWindow || parts_.back().word_class == Class::kDoor);
   if (at_opening && (at_word("side") || at_word("end")) && !at_word("of", 1)) {
     ++i_;
     return true;

@@ -108,6 +108,11 @@ TEST_F(OfflinePlannerTest, SizesOfThingsInTheirUsualForms) {
   EXPECT_EQ(usual("A desk of at least 1.6 m width.").width, 1600);
   EXPECT_EQ(usual("A 1m20 wide desk.").width, 1200);
   EXPECT_EQ(usual("Desk (140 cm), bed.").width, 1400);
+  for (const char* text : {"A desk 140cm x 60cm, a bed.", "A 140cm x 60cm desk.", "A desk 140 cm x 60 cm under the window.",
+                           "Desk 1.4m by 0.6m by the window."}) {
+    EXPECT_EQ(usual(text).width, 1400) << text;
+    EXPECT_EQ(usual(text).depth, 600) << text;
+  }
   EXPECT_EQ(usual("A dining table, 2400 mm long, 1000 mm wide.").depth, 1000);
 }
 

@@ -164,8 +164,9 @@ bool names_thing(const Lexicon& lexicon, const std::vector<Token>& tokens, std::
   const auto describes = [](const Token& token) {
     return token.kind == Token::Kind::kWord && (word_form(token.text) == WordForm::kAdjective || token.text.ends_with("ing"));
   };
-  while (at < tokens.size() && lexicon.find(tokens, at, WordClass::kObject).length == 0 && describes(tokens[at])) ++at;
-  return at < tokens.size() && lexicon.find(tokens, at, WordClass::kObject).length > 0;
+  const auto is_thing = [&](std::size_t i) { return meaning_of(lexicon.find(tokens, i), WordClass::kObject) != nullptr; };
+  while (at < tokens.size() && !is_thing(at) && describes(tokens[at])) ++at;
+  return at < tokens.size() && is_thing(at);
 }
 
 // "tables for two and four": "tables for two and tables for four".

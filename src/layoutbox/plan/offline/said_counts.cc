@@ -23,6 +23,7 @@ class SaidCounts {
     read_pairs();
     for (std::size_t i = 1; i < tokens_.size(); ++i) {
       read_as_many(i);
+      read_one_of_them(i);
       read_quantity(i);
       read_per_row(i);
       read_leader(i);
@@ -52,6 +53,15 @@ class SaidCounts {
       leave_out(at, at + (is(at + 1, "will") && is(at + 2, "fit") ? 3 : 2));
       return;
     }
+  }
+  // "six chairs, one chair blocking the fridge": one of them.
+  void read_one_of_them(std::size_t i) {
+    if (i < 3 || !is_one_of(i, {"one", "two", "three"}) || !is_one_of(i - 1, {",", "("}) || !is_plural(tokens_[i - 2].text) ||
+        ends(i + 2) || !is_word(i + 1))
+      return;
+    const bool same = singular_of(tokens_[i + 1].text) == singular_of(tokens_[i - 2].text);
+    const bool told = tokens_[i + 2].text.ends_with("ing") || tokens_[i + 2].text.ends_with("ed");
+    if (same && told && is_count(i - 3)) leave_out(i + 1, i + 2);
   }
   void leave_out(std::size_t first, std::size_t last) {
     std::fill(skip_.begin() + static_cast<std::ptrdiff_t>(first), skip_.begin() + static_cast<std::ptrdiff_t>(last), true);

@@ -182,15 +182,21 @@ class TableReader : public TokenReader {
       case ElementClass::kArticle: return is_article(at) ? 1 : 0;
       case ElementClass::kDefinite: return lexicon_.is(tokens_[at], WordClass::kDefinite) ? 1 : 0;
       case ElementClass::kNumber: return read_number(lexicon_, tokens_, at).length;
-      case ElementClass::kObject: return lexicon_.find(tokens_, at, WordClass::kObject).length;
+      case ElementClass::kObject: return thing_at(at);
       case ElementClass::kRoom: return is(at, {"room"}) ? 1 : lexicon_.find(tokens_, at, WordClass::kRoom).length;
       case ElementClass::kWindow: return lexicon_.find(tokens_, at, WordClass::kWindow).length;
       case ElementClass::kUnit: return lexicon_.find(tokens_, at, WordClass::kUnit).length;
       case ElementClass::kPerson: return lexicon_.is_person(singular_of(tokens_[at].text)) ? 1 : 0;
-      case ElementClass::kPlain: return lexicon_.find(tokens_, at, WordClass::kObject).length == 0 ? 1 : 0;
+      case ElementClass::kPlain: return thing_at(at) == 0 ? 1 : 0;
       case ElementClass::kScreen: return is_screen(at) ? 1 : 0;
       default: return 1;
     }
+  }
+
+  // "desk", "desks"
+  std::size_t thing_at(std::size_t at) const {
+    const Match match = lexicon_.find(tokens_, at);
+    return meaning_of(match, WordClass::kObject) != nullptr ? match.length : lexicon_.find(tokens_, at, WordClass::kObject).length;
   }
 
   bool is_screen(std::size_t at) const {

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/word_sets.h"
 #include "layoutbox/plan/reading/unit_reader.h"
@@ -18,6 +19,7 @@ bool UnitReader::keeps_place_for(std::size_t k) {
       units_.empty())
     return false;
   const NounPhrase &place = chunk(p).noun, &thing = chunk(n).noun;
+  if (thing.name == thing.head && word_form(thing.head) == WordForm::kPerson) return false;  // "a room for a dragon"
   const bool plain = one_of(place.head, WordSet::kPlaceForThing) && place.room == nullptr;
   const bool anew =
       thing.determiner == Determiner::kIndefinite || thing.count > 0 ||
