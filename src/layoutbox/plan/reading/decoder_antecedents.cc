@@ -113,6 +113,9 @@ double Decoder::antecedent_place_score(const State& state, Referent referent, Re
   const bool first = subject >= 0 && read_as(state, subject).former < 0;  // … "with a sink, a mirror above": above the sink
   if (subject >= 0 && referent == owner && over && noun != nullptr && (noun->head == "it" || (noun->head.empty() && first)))
     score += weight::kOwnHost;
+  // "four armchairs before the fire, each with a lamp behind it"
+  const bool of_each = owner >= 0 && chunk(owner).noun.kind == NounKind::kMember && chunk(owner).noun.determiner == Determiner::kEach;
+  if (of_each && referent == owner && noun != nullptr && noun->head == "it") score += weight::kOnOwnHost;
   // "a cage with a parrot inside": in the cage.
   const bool inside = says(senses, RelationType::kIn) && noun != nullptr && noun->head.empty();
   if (subject >= 0 && referent == owner && inside) score += weight::kInOwnHost;
@@ -279,6 +282,7 @@ void Decoder::text_antecedents(const State& state, const PhraseSenses* senses, c
   const bool over = senses != nullptr && (says(*senses, RelationType::kAbove) || says(*senses, RelationType::kUnder));
   if (before_.fronted >= 0 && !lies && !over && state.roots.empty() && state.frontier.empty())
     trial(referent_of_mention(before_.fronted), 0, false);
+  if (before_.opening >= 0 && state.roots.empty()) trial(referent_of_mention(before_.opening), 0, false);  // "The door is …; next to it"
   if (before_.topic >= 0) trial(referent_of_mention(before_.topic), order, false);
   order += 0.8;
   for (std::size_t r = before_.roots.size(), looked = 0; r-- > 0 && looked < 6; ++looked, order += 0.6)
