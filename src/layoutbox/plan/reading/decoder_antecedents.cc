@@ -63,7 +63,8 @@ bool Decoder::consider(std::vector<Candidate>& all, const State& state, Referent
                        // "a desk and a bed in it": in the room; nothing lies on a door.
                        !(senses != nullptr && says(*senses, &RelationTraits::rests));
   if (!is_thing(state, referent) && !(opening && senses != nullptr && noun != nullptr && speaks_of_openings(*noun))) return false;
-  if (subject != kNobody && !is_of_one_group(state, referent, subject, noun) && same(state, referent, subject)) return false;
+  const bool more = subject >= 0 && says_one_of(document_, chunk(subject).noun.last, {"more"});  // "two beds …, two more opposite them"
+  if (subject != kNobody && !more && !is_of_one_group(state, referent, subject, noun) && same(state, referent, subject)) return false;
   // Nothing is placed by what lies on it, nor between what it has.
   const bool between = senses != nullptr && says(*senses, RelationType::kBetween);
   if (subject >= 0 && referent >= 0 && (between || mount_of(meant) == Mount::kSurface) && host_of(state, referent) == subject) return false;
