@@ -25,7 +25,8 @@ double number_score(const NounPhrase& noun, bool many) {
 
 // "it"; "two windows, a radiator under each"
 bool speaks_of_openings(const NounPhrase& noun) {
-  return noun.head == "it" || noun.determiner == Determiner::kEach || noun.determiner == Determiner::kBoth;
+  const bool them = noun.kind == NounKind::kPronoun && noun.head == "them";
+  return noun.head == "it" || them || noun.determiner == Determiner::kEach || noun.determiner == Determiner::kBoth;
 }
 
 bool stands(const NounPhrase& noun) {
@@ -168,7 +169,8 @@ std::vector<Decoder::Candidate> Decoder::antecedents(const State& state, Referen
   // "a mirror above the sink, a stool beside it, a mat in front": of what the place before was by.
   const bool unsaid = noun != nullptr && noun->head.empty() && noun->kind == NounKind::kPronoun && !plural;
   const bool upon = senses != nullptr && says(*senses, RelationType::kOn);  // "a freezer stands next to it, a box on top": on the freezer
-  if (unsaid && state.by != kNobody && senses != nullptr && !upon && !says(*senses, RelationType::kOpposite))
+  if (unsaid && state.by != kNobody && senses != nullptr && !upon && !says(*senses, RelationType::kIn) &&
+      !says(*senses, RelationType::kOpposite))
     trial(state.by, -weight::kNamedOnceMore, false);
   // … "a freezer hums next to it, a cooler on top": on what was named right before.
   const int before_it = subject >= 0 ? read_as(state, subject).former : kNobody;

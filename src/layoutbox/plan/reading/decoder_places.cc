@@ -174,6 +174,13 @@ void Decoder::attach_to(std::size_t s, int u, Kind kind, std::size_t level) {
   const bool zone = kind == kAttach && (place == NounKind::kCorner || place == NounKind::kAbstract) &&
                     is_zone(noun_of(state, member).head) && read_as(state, member).role != NounRole::kReference &&
                     nothing_nearer(state, level);
+  // "under the window in the right wall": which one
+  const bool in_wall = opening && member + 1 == u && unit(u).joiner == Joiner::kNone && word(u) == "in" && follows(u, UnitKind::kNoun) &&
+                       chunk(u + 1).noun.kind == NounKind::kWall;
+  if (in_wall) {
+    add(s, kind, weight::kOpeningInWall, member, member);
+    return;
+  }
   if (!is_thing(state, member) && !(opening && level == 0) && !(inverse && part_of_room) && !zone) return;
   if (state.relative >= 0 && member != state.relative) return;
   double gain = state.relative >= 0 ? 0 : attach_score(state, u, static_cast<int>(level), inverse);

@@ -94,6 +94,13 @@ void UnitReader::leave_out_part(std::size_t k, bool goes_on) {
   joiner_ = units_.back().joiner;
   clause_ = units_.back().clause;
   units_.pop_back();
+  // "a bunk with drawers beneath": where the part is
+  const std::size_t place = next(k);
+  const bool alone = is(place, ChunkKind::kRelation) && !is(next(place), ChunkKind::kNoun) && chunk(k).noun.kind == NounKind::kPart;
+  if (!alone || chunk(place).phrase.senses == nullptr) return;
+  if (!says(*chunk(place).phrase.senses, RelationType::kUnder) && !says(*chunk(place).phrase.senses, RelationType::kAbove)) return;
+  mark(place, Use::kUsed, "part");
+  passed_over_ = place;
 }
 
 bool UnitReader::is_part(std::size_t k) const {
