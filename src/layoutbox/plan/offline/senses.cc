@@ -207,6 +207,8 @@ class SenseChooser {
     if (opening && says_any({R::kLeftOf, R::kRightOf, R::kBehind})) return own(R::kNextTo);
     if (opening && says(R::kIn) && !says(R::kOn) && mount_of(target_) == Mount::kFloor && direction_ == PhraseSense::Direction::kDirect)
       return own(R::kNextTo);
+    const bool turned = opening && says(R::kAgainstWall) && !says_any({R::kUnderWindow, R::kNear, R::kNextTo});  // "its back to the window"
+    if (turned && direction_ == PhraseSense::Direction::kDirect) return own(R::kNear);
     const bool at_table = reference_.kind == NounKind::kObject && is_seat(catalog_, target_) && is_table(catalog_, reference_);
     const bool along_it = says(R::kAlongSide) || (says(R::kOpposite) && says(R::kEachSideOf));
     if (!at_table || !along_it || (target_.is_plural() && says(R::kEachSideOf) && !says(R::kOpposite))) return std::nullopt;

@@ -158,9 +158,12 @@ void UnitReader::settle_place_words(std::size_t k) {
     noun.wall_word = said.wall_word;
   }
   // "along one wall a bed, along the other a desk"
-  if (other && noun.determiner == Determiner::kOther && wall_ >= 0 && says(senses, RelationType::kAgainstWall) &&
-      chunk(static_cast<std::size_t>(wall_)).noun.count == 1)
+  const bool across = opposite || noun.wall_relation == "opposite";  // "along the opposite one"
+  if (other && (across || noun.determiner == Determiner::kOther) && wall_ >= 0 && says(senses, RelationType::kAgainstWall) &&
+      chunk(static_cast<std::size_t>(wall_)).noun.count == 1) {
     take(chunk(static_cast<std::size_t>(wall_)).noun);
+    if (across) noun.wall_relation = "opposite";
+  }
   if (placed && noun.kind == NounKind::kCorner && noun.count > 0) one_corner_ = static_cast<int>(k);
   if (noun.kind == NounKind::kWall) wall_ = static_cast<int>(k);
 }
