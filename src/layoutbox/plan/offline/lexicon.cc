@@ -293,6 +293,7 @@ void Lexicon::extend_phrase(std::span<const Token> tokens, std::size_t at, std::
         return s.direction == PhraseSense::Direction::kAlone && (s.type == RelationType::kLeftOf || s.type == RelationType::kRightOf);
       }))
     return;
+  if (adverb && inside && token.text == "right" && i + 1 < tokens.size() && names_place(tokens, i + 1)) return;  // "along the right wall"
   if (!adverb && (!inside || !(is_article(token.text) || is_distributor(token.text)))) return;
   so_far.each |= is_distributor(token.text);
   so_far.possessive |= token.text == "its" || token.text == "their";

@@ -126,6 +126,10 @@ void References::mean_everything(Mention& mention) const {
 void References::mean_known(Mention& mention) {
   const NounPhrase& noun = mention.noun;
   mention.items = known(noun);
+  // "two wing chairs …; a desk, its chair tucked under": another one
+  const bool its = noun.determiner == Determiner::kPossessive && document_.tokens[noun.first].text == "its";
+  if (its && !mention.items.empty() && document_.items[static_cast<std::size_t>(mention.items.front())].noun.name != noun.name)
+    mention.items.clear();
   if (noun.determiner == Determiner::kEach) mention.distributes = true;
   if (noun.every > 1) mention.items = singled_out(mention.items, noun);
   if (!mention.items.empty()) {

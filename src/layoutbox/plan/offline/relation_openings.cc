@@ -26,6 +26,7 @@ std::optional<R> turned_sense(const PhraseSenses& senses, const NounPhrase& open
 
 void RelationBuilder::add_by_openings(const Link& link) {
   const std::vector<int> items = items_of(link.references);
+  if (link.implied && words_between(document_, link.first, link.last).find(" end") != std::string::npos) return;  // of the room
   if (items.empty() || link.kind != Link::Kind::kRelation) return;
   for (const int target : link.targets) {
     const NounPhrase& opening = mention(target).noun;

@@ -82,6 +82,7 @@ void RelationBuilder::settle_sense(const Link& link, PhraseSense& sense, const M
     sense.part = sense.type == R::kLeftOf ? PartWord::kLeft : PartWord::kRight;
     sense.type = R::kOn;
   }
+  if (sense.type == R::kAtHeadOf && mount == Mount::kWall) sense.type = R::kAbove;  // "a picture above the head of the bed"
   if (sense.type == R::kOn && sense.part.empty() && says_top(link) && host.entry != nullptr && host.entry->top_carries &&
       std::ranges::any_of(host.entry->spaces, &SpaceFormula::carries))
     sense.part = PartWord::kTop;  // of a locker, not in it

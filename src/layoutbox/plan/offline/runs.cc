@@ -37,6 +37,10 @@ class RunReader {
   std::size_t thing_at(std::size_t at) const {
     if (at >= tokens_.size() || skip_[at] || tokens_[at].kind != Token::Kind::kWord) return 0;
     const Match match = lexicon_.find(tokens_, at);
+    // "beside the desk stand bookshelves": the verb
+    if (match.length == 1 && at > 0 && lexicon_.is(tokens_[at], WordClass::kPlaceVerb) &&
+        lexicon_.find(tokens_, at - 1, WordClass::kObject).length > 0)
+      return 0;
     for (const Meaning& meaning : match.meanings) {
       if (meaning.word_class == WordClass::kRoom || meaning.word_class == WordClass::kRoomNoun) return 0;
       if (meaning.word_class == WordClass::kObject && meaning.entry != nullptr && meaning.entry->mount == Mount::kFloor)

@@ -207,6 +207,8 @@ class SenseChooser {
     if (opening && says_any({R::kLeftOf, R::kRightOf, R::kBehind})) return own(R::kNextTo);
     if (opening && says(R::kIn) && !says(R::kOn) && mount_of(target_) == Mount::kFloor && direction_ == PhraseSense::Direction::kDirect)
       return own(R::kNextTo);
+    const bool turned = opening && says(R::kAgainstWall) && !says_any({R::kUnderWindow, R::kNear, R::kNextTo});  // "its back to the window"
+    if (turned && direction_ == PhraseSense::Direction::kDirect) return own(R::kNear);
     const bool at_table = reference_.kind == NounKind::kObject && is_seat(catalog_, target_) && is_table(catalog_, reference_);
     const bool along_it = says(R::kAlongSide) || (says(R::kOpposite) && says(R::kEachSideOf));
     if (!at_table || !along_it || (target_.is_plural() && says(R::kEachSideOf) && !says(R::kOpposite))) return std::nullopt;
@@ -223,10 +225,18 @@ class SenseChooser {
       if (sense.type == R::kTuckedUnder && !is_seat(catalog_, target_)) continue;
       if (sense.type == R::kOnWall && says(R::kOnCeiling) && is_heavy(catalog_, target_)) return own(R::kAgainstWall);  // "from the wall"
       if (contradicts_kinds(sense)) continue;
+      if (sense.type == R::kUnder && reference_.kind == NounKind::kWindow) return own(R::kUnderWindow);  // "a window and a bed under it"
+      if (at_end_of_seat(sense)) return own(R::kNextTo);
       if (sense.type == R::kAbove && lies_over()) return own(R::kOn);
       return sense;
     }
     return std::nullopt;
+  }
+
+  // "a chest at one end of the sofa": beside it; only what one lies on has a head and a foot.
+  bool at_end_of_seat(const PhraseSense& sense) const {
+    return (sense.type == R::kAtFootOf || sense.type == R::kAtHeadOf) && says(R::kAlongSide) && reference_.kind == NounKind::kObject &&
+           reference_.exact && is_seat(catalog_, reference_) && !one_lies_on(reference_);
   }
 
   static bool cooks_on(const NounPhrase& noun) {

@@ -31,9 +31,10 @@ NounPhrase unsaid(const PhraseSenses& senses) {
 Referent Decoder::side_host(const State& state, int u, const PhraseSenses& senses) const {
   const auto across = [](const PhraseSenses& all) { return says(all, RelationType::kLeftOf) || says(all, RelationType::kRightOf); };
   const auto along = [](const PhraseSenses& all) { return says(all, RelationType::kInFrontOf) || says(all, RelationType::kBehind); };
-  const bool by_side = across(senses);
-  if (!by_side && !along(senses)) return kNobody;
-  const auto sides = [&](const PhraseSenses& all) { return by_side ? across(all) : along(all); };
+  const auto at_end = [](const PhraseSenses& all) { return says(all, RelationType::kAtHeadOf) || says(all, RelationType::kAtFootOf); };
+  const bool by_side = across(senses), by_end = at_end(senses);
+  if (!by_side && !by_end && !along(senses)) return kNobody;
+  const auto sides = [&](const PhraseSenses& all) { return by_side ? across(all) : by_end ? at_end(all) : along(all); };
   for (int p = u; p-- > 0;) {
     const UnitReading& place = read_as(state, p);
     // Of another clause, or after a place that it begins with.
@@ -216,6 +217,10 @@ void Decoder::alone_of_member(std::size_t s, int u, std::size_t level, int neare
     const NounPhrase& noun = noun_of(state, by);
     return noun.count > 2 || (noun.plural && noun.count == 0) ? 2 * weight::kSmallByPlace : 0.0;
   };
+  // "a chapel with statues on both sides": of the room, where nothing is named that has sides
+  const bool of_room =
+      says(senses, RelationType::kEachSideOf) && several(state, member) && mount_of(noun_of(state, member)) == Mount::kFloor;
+  if (of_room && !says_its(u)) alone_of_list(s, u, level, {kNobody, gain + weight::kSidesOfRoom, false});
   for (const Candidate& meant : antecedents(state, member, &senses, &whom, first))
     alone_of_list(s, u, level, {meant.referent, gain + meant.score + habit(meant.referent) + crowd(meant.referent), meant.list});
 }

@@ -25,7 +25,8 @@ double number_score(const NounPhrase& noun, bool many) {
 
 // "it"; "two windows, a radiator under each"
 bool speaks_of_openings(const NounPhrase& noun) {
-  return noun.head == "it" || noun.determiner == Determiner::kEach || noun.determiner == Determiner::kBoth;
+  const bool them = noun.kind == NounKind::kPronoun && noun.head == "them";
+  return noun.head == "it" || them || noun.determiner == Determiner::kEach || noun.determiner == Determiner::kBoth;
 }
 
 bool stands(const NounPhrase& noun) {
@@ -63,7 +64,8 @@ bool Decoder::consider(std::vector<Candidate>& all, const State& state, Referent
                        // "a desk and a bed in it": in the room; nothing lies on a door.
                        !(senses != nullptr && says(*senses, &RelationTraits::rests));
   if (!is_thing(state, referent) && !(opening && senses != nullptr && noun != nullptr && speaks_of_openings(*noun))) return false;
-  if (subject != kNobody && !is_of_one_group(state, referent, subject, noun) && same(state, referent, subject)) return false;
+  const bool more = subject >= 0 && says_one_of(document_, chunk(subject).noun.last, {"more"});  // "two beds …, two more opposite them"
+  if (subject != kNobody && !more && !is_of_one_group(state, referent, subject, noun) && same(state, referent, subject)) return false;
   // Nothing is placed by what lies on it, nor between what it has.
   const bool between = senses != nullptr && says(*senses, RelationType::kBetween);
   if (subject >= 0 && referent >= 0 && (between || mount_of(meant) == Mount::kSurface) && host_of(state, referent) == subject) return false;
@@ -113,6 +115,9 @@ double Decoder::antecedent_place_score(const State& state, Referent referent, Re
   const bool first = subject >= 0 && read_as(state, subject).former < 0;  // … "with a sink, a mirror above": above the sink
   if (subject >= 0 && referent == owner && over && noun != nullptr && (noun->head == "it" || (noun->head.empty() && first)))
     score += weight::kOwnHost;
+  // "four armchairs before the fire, each with a lamp behind it"
+  const bool of_each = owner >= 0 && chunk(owner).noun.kind == NounKind::kMember && chunk(owner).noun.determiner == Determiner::kEach;
+  if (of_each && referent == owner && noun != nullptr && noun->head == "it") score += weight::kOnOwnHost;
   // "a cage with a parrot inside": in the cage.
   const bool inside = says(senses, RelationType::kIn) && noun != nullptr && noun->head.empty();
   if (subject >= 0 && referent == owner && inside) score += weight::kInOwnHost;
@@ -164,7 +169,8 @@ std::vector<Decoder::Candidate> Decoder::antecedents(const State& state, Referen
   // "a mirror above the sink, a stool beside it, a mat in front": of what the place before was by.
   const bool unsaid = noun != nullptr && noun->head.empty() && noun->kind == NounKind::kPronoun && !plural;
   const bool upon = senses != nullptr && says(*senses, RelationType::kOn);  // "a freezer stands next to it, a box on top": on the freezer
-  if (unsaid && state.by != kNobody && senses != nullptr && !upon && !says(*senses, RelationType::kOpposite))
+  if (unsaid && state.by != kNobody && senses != nullptr && !upon && !says(*senses, RelationType::kIn) &&
+      !says(*senses, RelationType::kOpposite))
     trial(state.by, -weight::kNamedOnceMore, false);
   // … "a freezer hums next to it, a cooler on top": on what was named right before.
   const int before_it = subject >= 0 ? read_as(state, subject).former : kNobody;
@@ -279,6 +285,7 @@ void Decoder::text_antecedents(const State& state, const PhraseSenses* senses, c
   const bool over = senses != nullptr && (says(*senses, RelationType::kAbove) || says(*senses, RelationType::kUnder));
   if (before_.fronted >= 0 && !lies && !over && state.roots.empty() && state.frontier.empty())
     trial(referent_of_mention(before_.fronted), 0, false);
+  if (before_.opening >= 0 && state.roots.empty()) trial(referent_of_mention(before_.opening), 0, false);  // "The door is …; next to it"
   if (before_.topic >= 0) trial(referent_of_mention(before_.topic), order, false);
   order += 0.8;
   for (std::size_t r = before_.roots.size(), looked = 0; r-- > 0 && looked < 6; ++looked, order += 0.6)

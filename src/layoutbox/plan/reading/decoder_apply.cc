@@ -197,9 +197,9 @@ void Decoder::apply_predicate(State& state, const Action& action, int u) const {
       take_subject(state, action, u);
       own.alone = true;
       if (says_its(u) && own.implied != kNobody && !own.implied_list) state.it = own.implied;  // "along its sides, and on it"
-      if (document_.tokens[chunk(u).last - 1].text == "it" && own.implied != kNobody && !own.implied_list &&
+      if ((document_.tokens[chunk(u).last - 1].text == "it" || says_its(u)) && own.implied != kNobody && !own.implied_list &&
           host_of(state, action.unit) != own.implied)
-        state.by = own.implied;
+        state.by = state.it = own.implied;
       state.place = u;
       break;
     case kHaveRoom:

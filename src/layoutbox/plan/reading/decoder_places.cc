@@ -174,6 +174,13 @@ void Decoder::attach_to(std::size_t s, int u, Kind kind, std::size_t level) {
   const bool zone = kind == kAttach && (place == NounKind::kCorner || place == NounKind::kAbstract) &&
                     is_zone(noun_of(state, member).head) && read_as(state, member).role != NounRole::kReference &&
                     nothing_nearer(state, level);
+  // "under the window in the right wall": which one
+  const bool in_wall = opening && member + 1 == u && unit(u).joiner == Joiner::kNone && word(u) == "in" && follows(u, UnitKind::kNoun) &&
+                       chunk(u + 1).noun.kind == NounKind::kWall;
+  if (in_wall) {
+    add(s, kind, weight::kOpeningInWall, member, member);
+    return;
+  }
   if (!is_thing(state, member) && !(opening && level == 0) && !(inverse && part_of_room) && !zone) return;
   if (state.relative >= 0 && member != state.relative) return;
   double gain = state.relative >= 0 ? 0 : attach_score(state, u, static_cast<int>(level), inverse);
@@ -294,7 +301,7 @@ bool Decoder::is_fresh(int u) const {
   const NounPhrase& noun = chunk(u).noun;
   const bool definite = noun.determiner == Determiner::kDefinite || noun.determiner == Determiner::kPossessive;
   const bool opening = noun.kind == NounKind::kDoor || noun.kind == NounKind::kWindow;
-  return is_new_thing(noun) || (opening && noun.determiner == Determiner::kIndefinite) ||
+  return is_new_thing(noun) || (opening && (definite || noun.determiner == Determiner::kIndefinite)) ||
          (noun.kind == NounKind::kObject && definite && !known_[static_cast<std::size_t>(u)]);
 }
 
@@ -311,7 +318,8 @@ void Decoder::first_place_actions(std::size_t s, int u) {
   while (is(last, UnitKind::kPlace) && unit(last).joiner == Joiner::kComma && follows(last, UnitKind::kNoun)) last += 2;
   const bool begins = place.joiner == Joiner::kAnd || place.joiner == Joiner::kCommaAnd || place.clause;
   const bool listed = last > after && begins && is(last, UnitKind::kNoun) && unit(last).joiner == Joiner::kComma && is_fresh(last);
-  if (listed) after = last;
+  const bool verb_last = last > after && begins && (is(last, UnitKind::kVerb) || is(last, UnitKind::kOpen));  // "… are a stall and a rack"
+  if (listed || verb_last) after = last;
   if (is(after, UnitKind::kPlace) && says(unit(after).alone, RelationType::kRow)) ++after;  // "on it, from left to right, stand a jar …"
   double pattern = -4;
   const bool known = is_known_noun(noun) || known_[static_cast<std::size_t>(u + 1)];

@@ -54,6 +54,7 @@ struct SentenceReading {
 
 // What earlier sentences leave behind; mentions of the document.
 struct TextSoFar {
+  int opening = -1;         // the door or window that the sentence before spoke of, and of no thing
   int topic = -1;           // what the sentence before spoke of
   int fronted = -1;         // … what it placed things by, these named later
   std::vector<int> roots;   // … the things that it spoke of

@@ -44,16 +44,21 @@ void Scribe::write(const Sentence& sentence, const SentenceReading& reading) {
 void Scribe::end_sentence() {
   std::vector<int> roots;
   int fronted = -1;
+  so_far_.opening = -1;
   for (int u = 0; u < static_cast<int>(sentence_->size()); ++u) {
     const UnitReading& own = reading(u);
     if (unit(u).kind == UnitKind::kNoun && (own.role == NounRole::kRoot || own.role == NounRole::kMember) &&
         is_thing(mention_[static_cast<std::size_t>(u)]))
       roots.push_back(mention_[static_cast<std::size_t>(u)]);
+    const NounKind kind = unit(u).kind == UnitKind::kNoun ? chunk(u).noun.kind : NounKind::kObject;
+    if (own.role == NounRole::kRoot && (kind == NounKind::kDoor || kind == NounKind::kWindow))
+      so_far_.opening = mention_[static_cast<std::size_t>(u)];
     if (unit(u).kind == UnitKind::kPlace && own.fronted && own.subject != kNobody && link_[static_cast<std::size_t>(u)] >= 0) {
       const std::vector<int>& references = link_at(link_[static_cast<std::size_t>(u)]).references;
       if (!references.empty() && is_thing(references.front()) && !own.inverse) fronted = references.front();
     }
   }
+  if (!roots.empty()) so_far_.opening = -1;
   so_far_.fronted = fronted;
   so_far_.sided = -1;
   for (std::size_t l = sentence_links_; l < document_.links.size(); ++l) {

@@ -96,6 +96,8 @@ class Scribe {
   void grow_for_each(int thing, int each);
   void place_with_zone(const std::vector<int>& hosts, int index);
   void grow_for_corners(const NounPhrase& corner, int target);
+  int pair_looking();
+  void mean_sides_of_room(Link& link);
   void grow_for_openings(const NounPhrase& opening, int target);
   int each_of_openings(int u, const NounPhrase& noun);
   void grow_contents(int host, std::size_t before);

@@ -81,7 +81,8 @@ void Scribe::complete_pair(int u, Link& link) {
   const bool them = several && document_.tokens[chunk(u).last - 1].text == "them";
   const int other = them ? -1 : looked_at_by(link.references.front(), link.targets);
   if (other >= 0) link.references.push_back(other);
-  const int pair = other < 0 && !several ? pair_just_related() : -1;
+  int pair = other < 0 && !several ? pair_just_related() : -1;
+  if (pair < 0 && other < 0 && !several) pair = pair_looking();
   if (pair >= 0) link.references = {pair};
   // "A sofa at the back wall and a TV at the front wall. Between is a table."
   const bool of_before = other < 0 && pair < 0 && !several && link.references.front() < sentence_mentions_;
@@ -92,6 +93,27 @@ void Scribe::complete_pair(int u, Link& link) {
 void Scribe::mean_side_of_room(Link& link) {
   const bool left = says(link.senses, RelationType::kLeftOf), right = says(link.senses, RelationType::kRightOf);
   if (left != right) link.senses = {{RelationType::kInRegion, Direction::kAlone, {}, left ? RoomRegion::kLeft : RoomRegion::kRight, {}}};
+}
+
+// "long tables down both sides", "benches on three sides" of nothing: along the room's walls.
+void Scribe::mean_sides_of_room(Link& link) {
+  const bool stand = !link.targets.empty() && std::ranges::all_of(link.targets, [&](int m) {
+    return is_thing(m) && noun_of(m).is_plural() && mount_of(noun_of(m)) == Mount::kFloor;
+  });
+  if (!says(link.senses, RelationType::kEachSideOf) || !stand) return;
+  Mention walls;
+  walls.noun.kind = NounKind::kWall;
+  walls.noun.head = "wall";
+  walls.noun.name = link.sides > 2 ? "wall" : "side wall";
+  walls.noun.plural = true;
+  walls.noun.determiner = Determiner::kBoth;
+  walls.noun.count = link.sides > 2 ? link.sides : 2;
+  document_.mentions.push_back(std::move(walls));
+  link.references = {static_cast<int>(document_.mentions.size()) - 1};
+  link.senses = {{RelationType::kAgainstWall, Direction::kDirect, {}, {}, {}}};
+  link.each = false;
+  const std::vector<int> targets = link.targets;
+  for (const int target : targets) grow_along_walls(link, target, noun_of(link.references.front()));
 }
 
 // How many there are of what stands at the sides of something, or by each of several.
@@ -135,6 +157,7 @@ void Scribe::write_place_alone(int u) {
     link.senses = {{back ? RelationType::kBehind : RelationType::kInFrontOf, Direction::kDirect, {}, {}, {}}};
   }
   if (link.references.empty()) mean_side_of_room(link);
+  if (link.references.empty() && !is_mutual(u, link)) mean_sides_of_room(link);
   complete_pair(u, link);
   link.implied = true;
   link.other_side = unit(u).other && says(link.senses, RelationType::kNextTo);

@@ -183,6 +183,9 @@ int Scribe::make_member(int u, const NounPhrase& noun) {
     if (const int another = make_another(u, noun); another >= 0) return another;
   }
   if (const int more = make_more(u, noun); more >= 0) return more;
+  // "two bunks on the left wall, two more on the right"
+  const std::vector<int> kind = says_one_of(document_, noun.last, {"more"}) ? mentions_of(reading(u).meant) : std::vector<int>{};
+  if (noun.count > 0 && !kind.empty() && is_thing(kind.front())) return copy_of(kind.front(), noun);
   if (reading(u).meant == kNobody || same_as_placed(u)) {
     if (const int opposed = make_opposed(u, noun); opposed >= 0) return opposed;
   }

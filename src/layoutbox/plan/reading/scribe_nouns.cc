@@ -39,6 +39,19 @@ int Scribe::pair_just_related() {
   return -1;
 }
 
+// "A sofa faces a TV; between the two is a table": the last two single things of which one looks at the other, or -1.
+int Scribe::pair_looking() {
+  for (std::size_t l = document_.links.size(), looked = 0; l-- > 0 && looked < 6; ++looked) {
+    const Link& link = document_.links[l];
+    if (!says(link.senses, RelationType::kFacing) && !says(link.senses, RelationType::kOpposite)) continue;
+    if (link.targets.size() != 1 || link.references.size() != 1) continue;
+    const Mention &one = mention_at(link.targets.front()), &other = mention_at(link.references.front());
+    if (one.items.size() == 1 && other.items.size() == 1 && one.items != other.items)
+      return combined({link.targets.front(), link.references.front()});
+  }
+  return -1;
+}
+
 // "a nightstand to its left; a second nightstand is on the right; each of them": what was brought in last and the one before of its name.
 int Scribe::pair_of_a_name() {
   int last = -1;
@@ -85,6 +98,7 @@ int Scribe::antecedent_of(int u) {
     if (const std::vector<int> two = two_alike(u, !each_of_them); two.size() == 2 && own.predicate < 0) return combined(two);
     if (const int pair = pair_of_a_name(); pair >= 0) return pair;
     if (const int pair = pair_just_related(); pair >= 0) return pair;
+    if (const int pair = pair_looking(); pair >= 0) return pair;
     // The last two things that were spoken of.
     if (so_far_.roots.size() > 1) return combined({so_far_.roots[so_far_.roots.size() - 2], so_far_.roots.back()});
   }

@@ -358,7 +358,7 @@ bool UnitReader::passes_apposition(std::size_t k) {
   if (!between) return false;
   const NounPhrase& subject = chunk(units_.front().chunk).noun;
   const std::string& verb = document_.tokens[chunk(end).last].text;
-  const bool finite = is(next(end), ChunkKind::kVerb) && is_finite(verb);
+  const bool finite = (is(next(end), ChunkKind::kVerb) || is(next(end), ChunkKind::kRelation)) && is_finite(verb);
   const bool one = subject.kind == NounKind::kObject && !subject.is_plural() && (verb == "is" || verb == "was" || finite);
   const bool known = subject.determiner == Determiner::kDefinite || subject.determiner == Determiner::kPossessive;
   if (!one || !known) return false;

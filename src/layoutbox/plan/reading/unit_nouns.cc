@@ -94,6 +94,13 @@ void UnitReader::leave_out_part(std::size_t k, bool goes_on) {
   joiner_ = units_.back().joiner;
   clause_ = units_.back().clause;
   units_.pop_back();
+  // "a bunk with drawers beneath": where the part is
+  const std::size_t place = next(k);
+  const bool alone = is(place, ChunkKind::kRelation) && !is(next(place), ChunkKind::kNoun) && chunk(k).noun.kind == NounKind::kPart;
+  if (!alone || chunk(place).phrase.senses == nullptr) return;
+  if (!says(*chunk(place).phrase.senses, RelationType::kUnder) && !says(*chunk(place).phrase.senses, RelationType::kAbove)) return;
+  mark(place, Use::kUsed, "part");
+  passed_over_ = place;
 }
 
 bool UnitReader::is_part(std::size_t k) const {
@@ -151,9 +158,12 @@ void UnitReader::settle_place_words(std::size_t k) {
     noun.wall_word = said.wall_word;
   }
   // "along one wall a bed, along the other a desk"
-  if (other && noun.determiner == Determiner::kOther && wall_ >= 0 && says(senses, RelationType::kAgainstWall) &&
-      chunk(static_cast<std::size_t>(wall_)).noun.count == 1)
+  const bool across = opposite || noun.wall_relation == "opposite";  // "along the opposite one"
+  if (other && (across || noun.determiner == Determiner::kOther) && wall_ >= 0 && says(senses, RelationType::kAgainstWall) &&
+      chunk(static_cast<std::size_t>(wall_)).noun.count == 1) {
     take(chunk(static_cast<std::size_t>(wall_)).noun);
+    if (across) noun.wall_relation = "opposite";
+  }
   if (placed && noun.kind == NounKind::kCorner && noun.count > 0) one_corner_ = static_cast<int>(k);
   if (noun.kind == NounKind::kWall) wall_ = static_cast<int>(k);
 }

@@ -53,6 +53,11 @@ void UnitReader::mean_side_of_room(std::size_t k) {
   noun.room = nullptr;
   noun.name = words.find(" long") != std::string::npos || words.find(" short") != std::string::npos ? "wall" : "side wall";
   noun.head = "wall";
+  for (const std::string_view hand : {"left", "right"}) {  // "along the right side of the hall"
+    if (words.find(" " + std::string(hand)) == std::string::npos || each) continue;
+    noun.wall_word = hand;
+    noun.name = "wall";
+  }
   noun.count = place.phrase.one ? 1 : 0;
   noun.determiner = each ? Determiner::kEach : Determiner::kDefinite;
   units_.back().direct = at_wall_senses();

@@ -103,11 +103,19 @@ bool UnitReader::is_for_all(std::size_t k) const {
 void UnitReader::has_unsaid(std::size_t k) {
   const NounPhrase& noun = chunk(k).noun;
   const bool placed = units_.size() > 1 && units_[units_.size() - 2].kind == UnitKind::kPlace && units_.back().joiner == Joiner::kNone;
-  if (placed || !is(k + 1, ChunkKind::kNoun) || noun.kind != NounKind::kObject) return;
+  const bool wall = noun.kind == NounKind::kWall && !noun.wall_word.empty();
+  if (placed || !is(k + 1, ChunkKind::kNoun) || (noun.kind != NounKind::kObject && !wall)) return;
   const NounPhrase& thing = chunk(k + 1).noun;
+  const bool opening = thing.kind == NounKind::kWindow || thing.kind == NounKind::kDoor;
+  const bool anew = thing.determiner == Determiner::kIndefinite || thing.count > 0;
+  // "The left wall has a bookshelf, the right wall a painting": the having is not said again
+  const bool again = units_.back().joiner != Joiner::kNone && noun.determiner == Determiner::kDefinite && anew &&
+                     std::ranges::any_of(units_, [&](const Unit& unit) {
+                       return unit.kind == UnitKind::kHave && !unit.unsaid && is_finite(document_.tokens[chunk(unit.chunk).first].text);
+                     });
   const bool each = noun.determiner == Determiner::kEach && (thing.determiner == Determiner::kIndefinite || thing.count > 0);
   const bool its = units_.back().joiner != Joiner::kNone && is_its(thing);  // "the desk has its lamp, the bed its nightstand"
-  const bool fresh = thing.kind == NounKind::kObject && (each || its);
+  const bool fresh = (thing.kind == NounKind::kObject && (each || its || again)) || (opening && wall && again);
   if (!fresh || (!units_.empty() && units_.back().chunk == k && units_.back().kind == UnitKind::kHave)) return;
   add(UnitKind::kHave, k);
   units_.back().unsaid = true;

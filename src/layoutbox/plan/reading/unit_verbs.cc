@@ -198,7 +198,12 @@ void UnitReader::mean_owner_of_spot(std::size_t k) {
   if (!one_of(preposition, {"in", "at", "by", "on", "to", "upon", "along", "beside", "near"})) return;
   const bool body = one_of(noun.head, WordSet::kBodyParts) && (noun.kind == NounKind::kAbstract || noun.kind == NounKind::kObject);
   const bool own_side = one_of(noun.head, {"side", "end"}) && !noun.plural && noun.kind == NounKind::kAbstract;  // "along its far side"
-  const bool its = (body || own_side) && noun.determiner == Determiner::kPossessive && !noun.of;
+  // "a table, a bench along the near side"
+  const bool at_table =
+      own_side && preposition == "along" && noun.determiner == Determiner::kDefinite && std::ranges::any_of(units_, [&](const Unit& unit) {
+        return unit.kind == UnitKind::kNoun && is_table(lexicon_.catalog(), chunk(unit.chunk).noun);
+      });
+  const bool its = (at_table || ((body || own_side) && noun.determiner == Determiner::kPossessive)) && !noun.of;
   const bool named = noun.of && (noun.kind == NounKind::kAbstract || body) && !noun.niche && noun.of->kind == NounKind::kObject &&
                      noun.of->exact && (noun.of->determiner == Determiner::kDefinite || noun.of->determiner == Determiner::kPossessive);
   if ((!its && !named) || is_zone(noun.head)) return;
