@@ -172,6 +172,7 @@ class RelationBuilder {
   void place_in_run(Relation& relation, const std::vector<std::string>& units);
   void share_out_over_run(const std::vector<std::string>& units);
   void settle_kitchen();
+  void leave_window_to_sink();
   void add_front();
   void show_where_seated();
   bool shows_in(RoomRegion region) const;
