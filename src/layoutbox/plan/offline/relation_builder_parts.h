@@ -204,6 +204,7 @@ class RelationBuilder {
   void add_habits();
   void seat_in_windows();
   void sit_in_u();
+  void sit_across_table();
   void park_cars();
   void sit_before_mirrors();
   void stand_under_counters();
