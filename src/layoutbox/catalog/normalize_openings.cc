@@ -32,6 +32,7 @@ class OpeningNormalizer {
       Opening& opening = room_.openings[i];
       if (const Wall* wall = context_.scene.find_wall(opening.wall); wall != nullptr && !opening.wall.empty()) opening.wall = wall->id;
       if (opening.id.empty()) opening.id = unused_id(context_.scene, fmt::format("{}{}", name_of(opening.type), i + 1));
+      if (opening.type == OpeningType::kWindow && opening.wall.empty()) opening.wall = wall_of_what_is_under(opening);
       take_whole_wall(opening);
       settle_place(opening);
       if (opening.asked()) continue;
@@ -87,6 +88,44 @@ class OpeningNormalizer {
     opening.width = (length - 2 * kBesideGlass) / kGridMm * kGridMm;
     opening.offset = (length - opening.width) / 2;
     opening.height = room_.height - opening.sill - kBesideGlass;
+  }
+
+  // The wall that the thing is told to be at, by itself or with what carries it; null: none.
+  const Wall* wall_told(const std::string& id, bool carried = false) const {
+    for (const Relation& r : context_.scene.relations) {
+      if (std::ranges::find(r.targets, id) == r.targets.end() || r.references.size() != 1 || !r.asked()) continue;
+      if (traits_of(r.type).back_to_wall) return context_.scene.find_wall(r.references[0]);
+      if (traits_of(r.type).rests && !carried) return wall_told(r.references[0], true);
+    }
+    return nullptr;
+  }
+
+  // … or, of a sink, the one that all other units of the kitchen are told to be at.
+  const Wall* wall_of_units(const std::string& sink) const {
+    const auto is = [&](const SceneObject& object, Trait trait) { return context_.catalog.entry_or_nearest(object.category).is(trait); };
+    const SceneObject* object = context_.scene.find_object(sink);
+    if (object == nullptr || !(is(*object, Trait::kWashUp) || context_.catalog.is_a(object->category, "sink"))) return nullptr;
+    const Wall* wall = nullptr;
+    for (const SceneObject& unit : context_.scene.objects) {
+      const Wall* own = is(unit, Trait::kKitchenRun) ? wall_told(unit.id) : nullptr;
+      if (own != nullptr && wall != nullptr && own != wall) return nullptr;
+      if (own != nullptr) wall = own;
+    }
+    return wall;
+  }
+
+  // A window of which no wall is told is in that of what stands under or by it: "a sink along the left wall under the window".
+  std::string wall_of_what_is_under(const Opening& window) const {
+    const bool alone = std::ranges::count(room_.openings, OpeningType::kWindow, &Opening::type) <= 1;
+    for (const Relation& r : context_.scene.relations) {
+      const bool named = names(r.references, window.id) || (alone && names(r.references, "window"));
+      const bool under = r.type == RelationType::kUnderWindow && (named || (alone && r.references.empty()));
+      if (!r.asked() || r.targets.empty() || !(under || (named && r.type == RelationType::kNextTo))) continue;
+      const Wall* told = wall_told(r.targets[0]);
+      const Wall* wall = told != nullptr ? told : wall_of_units(r.targets[0]);
+      if (wall != nullptr) return wall->id;
+    }
+    return {};
   }
 
   // Of what is told to stand side by side under a window whose width is ours to choose: two desks want more of it than one.
@@ -145,6 +184,7 @@ class OpeningNormalizer {
     window.sill = 900;
     window.swing = Swing::kNone;
     window.origin = Origin::kAssumed;
+    window.wall = wall_of_what_is_under(window);
     const Mm wanted = std::min(width_of_what_is_under(window), kWidestWindow);
     fit_assumed(window, wanted > window.width ? kShareOfWideWindow : kShareOfWindow, std::max(window.width, wanted));
     if (window.height >= 300 && window.width >= 300) room_.openings.push_back(window);

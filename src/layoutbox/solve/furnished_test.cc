@@ -158,11 +158,18 @@ TEST(Furnished, MatsThatOneKneelsOnLieSideBySide) {
 }
 
 TEST(Furnished, LampsShareTheLengthOfTheirTable) {
-  const Layout layout = solved_as_asked(SceneMaker(5000, 4000).add("dining_table").sized(2000, 900, 750).add("pendant_lamp", 2).make(true));
-  const PlacedObject& table = object(layout, "dining_table_1");
-  const Point one = seen_from(table, object(layout, "pendant_lamp_1")), two = seen_from(table, object(layout, "pendant_lamp_2"));
-  EXPECT_NEAR(std::abs(one.x - two.x), 1000, 100);
-  EXPECT_NEAR(one.y, 0, 60);
+  for (const bool told : {false, true}) {
+    SceneMaker maker(5000, 4000);
+    maker.add("dining_table").sized(2000, 900, 750).add("pendant_lamp", 2);
+    if (told) {
+      for (const char* lamp : {"pendant_lamp_1", "pendant_lamp_2"}) maker.relate("above", {lamp}, {"dining_table_1"});
+    }
+    const Layout layout = solved_as_asked(maker.make(true));
+    const PlacedObject& table = object(layout, "dining_table_1");
+    const Point one = seen_from(table, object(layout, "pendant_lamp_1")), two = seen_from(table, object(layout, "pendant_lamp_2"));
+    EXPECT_NEAR(std::abs(one.x - two.x), 1000, 100) << told;
+    EXPECT_NEAR(one.y, 0, 60) << told;
+  }
 }
 
 TEST(Furnished, WhatHangsAndIsNoLampKeepsOffTheDesks) {

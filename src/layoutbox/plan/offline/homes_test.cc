@@ -77,6 +77,23 @@ TEST(Homes, WindowsOfANarrowWallShareIt) {
   EXPECT_LT(wide, extent(scene.room).x);
 }
 
+TEST(Homes, AWindowIsInTheWallOfWhatStandsUnderIt) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"A kitchen with base cabinets and a sink along the left wall under the window, and a fridge.", "left"},
+      {"A kitchen with white cabinets on the back wall with a sink under the window.", "back"},
+      {"A kitchen with the sink under the window, a stove on the left wall and a fridge on the back wall.", ""},
+      {"A living room with a reading chair by the window on the left wall.", "left"},
+      {"A bedroom with a bed, and a bay window with a cushioned window seat on the right wall.", "right"},
+      {"A bedroom with a bed on the left wall and a desk under the window.", ""},
+  };
+  for (const auto& [text, wall] : cases) {
+    const SceneGraph scene = normalized(text);
+    const auto window = std::ranges::find(scene.room.openings, OpeningType::kWindow, &Opening::type);
+    ASSERT_NE(window, scene.room.openings.end()) << text;
+    EXPECT_EQ(window->wall, std::string_view(wall).empty() ? "" : scene.find_wall(wall)->id) << text;
+  }
+}
+
 TEST(Homes, ADoorIsKnownByItsName) {
   const SceneGraph scene =
       planned("A hall with an entrance on the left wall and a cellar door on the right wall. A bench next to the cellar door.");

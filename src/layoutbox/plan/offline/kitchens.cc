@@ -199,6 +199,20 @@ void RelationBuilder::line_up_units(const std::vector<std::string>& units) {
   }
 }
 
+// "cabinets and a sink along the left wall under the window": the sink is under it, the others beside that.
+void RelationBuilder::leave_window_to_sink() {
+  const auto is_sink = [&](const Relation& r) {
+    const SceneObject* unit = r.type == R::kUnderWindow && r.targets.size() == 1 ? object_of(r.targets[0]) : nullptr;
+    return unit != nullptr && stands_in_run(unit->id) && noun_of_object(*unit).entry->is(Trait::kWashUp);
+  };
+  const auto sink = std::ranges::find_if(scene_.relations, is_sink);
+  if (sink == scene_.relations.end()) return;
+  const std::string why = sink->why;
+  std::erase_if(scene_.relations, [&](const Relation& r) {
+    return r.type == R::kUnderWindow && r.why == why && r.targets.size() == 1 && stands_in_run(r.targets[0]) && !is_sink(r);
+  });
+}
+
 void RelationBuilder::settle_kitchen() {
   build_in_ovens();
   stand_hobs();

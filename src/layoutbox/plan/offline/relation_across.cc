@@ -77,6 +77,26 @@ bool RelationBuilder::add_across_table(const Link& link, const Mention& target, 
   return false;
 }
 
+// "a bench on one side and chairs on the other": with the table between them.
+void RelationBuilder::sit_across_table() {
+  const auto said_along = [&](const Relation& r) {
+    return r.type == R::kAlongSide && r.parameters.side == Side::kLong && r.targets.size() == 1 && r.references.size() == 1 && r.asked() &&
+           r.why.find("one side") != std::string::npos && object_of(r.targets[0]) != nullptr;
+  };
+  const auto first = std::ranges::find_if(scene_.relations, said_along);
+  if (first == scene_.relations.end()) return;
+  const std::string seat = first->targets[0], kind = object_of(seat)->category;
+  std::vector<std::string> others;
+  for (const Relation& r : scene_.relations) {
+    if (said_along(r) && r.references == first->references && object_of(r.targets[0])->category != kind) others.push_back(r.targets[0]);
+  }
+  if (others.empty() || !is_seat(catalog_, noun_of_object(*object_of(seat)))) return;
+  add_habit(R::kOpposite, std::move(others), {seat}, kTogether, "they sit at both sides of the table");
+  scene_.relations.back().parameters.min = 300;
+  scene_.relations.back().origin = Origin::kConcluded;
+  scene_.relations.back().hard = true;
+}
+
 // "on the other side of the bed is a nightstand": beside it, where the thing on its first side is not. False: the phrase does not say so.
 bool RelationBuilder::add_on_other_side(const Link& link, PhraseSense& sense, const Mention& target, int reference) {
   if (words_between(document_, link.first, link.last).find("other side") == std::string::npos || mount_of(target.noun) != Mount::kFloor)

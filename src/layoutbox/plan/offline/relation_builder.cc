@@ -58,6 +58,7 @@ void RelationBuilder::run() {
   add_habits();
   note_contradictions();
   drop_implied_support();
+  leave_window_to_sink();
   divide_groups();
   make_islands();
 }

@@ -174,6 +174,7 @@ class RelationBuilder {
   void place_in_run(Relation& relation, const std::vector<std::string>& units);
   void share_out_over_run(const std::vector<std::string>& units);
   void settle_kitchen();
+  void leave_window_to_sink();
   void add_front();
   void show_where_seated();
   bool shows_in(RoomRegion region) const;
@@ -205,6 +206,7 @@ class RelationBuilder {
   void add_habits();
   void seat_in_windows();
   void sit_in_u();
+  void sit_across_table();
   void park_cars();
   void sit_before_mirrors();
   void stand_under_counters();

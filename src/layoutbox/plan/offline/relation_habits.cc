@@ -234,6 +234,7 @@ void RelationBuilder::add_habits() {
   share_doors();
   seat_in_windows();
   sit_in_u();
+  sit_across_table();
   park_cars();
   sit_before_mirrors();
   stand_under_counters();

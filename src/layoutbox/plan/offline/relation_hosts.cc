@@ -76,7 +76,14 @@ void RelationBuilder::let_into_tops() {
     if ((!place && link.kind != Link::Kind::kHave) || link.references.empty() || mention(link.references.front()).items.empty()) continue;
     const NounPhrase& host = noun_of_item(mention(link.references.front()).items.front());
     if (host.entry == nullptr || mount_of(host) != Mount::kFloor) continue;
-    for (const int m : link.targets) let_in(m, *host.entry);
+    for (const int m : link.targets) {
+      // "cabinets on the back wall with a sink under the window": one of the units of that run.
+      const auto says_where = [&](const Link& other) {
+        return other.kind == Link::Kind::kRelation && std::ranges::find(other.targets, m) != other.targets.end();
+      };
+      const bool own_unit = !place && host.entry->is(Trait::kKitchenRun) && host.entry->back_to_wall;
+      if (!own_unit || std::ranges::none_of(document_.links, says_where)) let_in(m, *host.entry);
+    }
   }
 }
 

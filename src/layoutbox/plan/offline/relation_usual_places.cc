@@ -146,7 +146,14 @@ void RelationBuilder::sit_before_mirrors() {
 // "a bay window, a window seat": the seat is in the window.
 void RelationBuilder::seat_in_windows() {
   for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
-    if (!one_of(scene_.objects[i].category, {"window_seat"}) || is_placed(static_cast<int>(i))) continue;
+    const auto at_wall_of_window = [&](std::size_t r) {
+      const Relation& at = scene_.relations[r];
+      return traits_of(at.type).back_to_wall && std::ranges::any_of(scene_.room.openings, [&](const Opening& o) {
+               return o.type == OpeningType::kWindow && !at.references.empty() && o.wall == at.references[0];
+             });
+    };
+    const bool elsewhere = is_placed(static_cast<int>(i)) && std::ranges::none_of(relations_of(id(static_cast<int>(i))), at_wall_of_window);
+    if (!one_of(scene_.objects[i].category, {"window_seat"}) || elsewhere) continue;
     add_habit(R::kUnderWindow, {scene_.objects[i].id}, {}, kTogether, "a window seat is in the window");
   }
 }

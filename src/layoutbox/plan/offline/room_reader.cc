@@ -280,6 +280,32 @@ std::string wall_to_outside(const Document& document, const Room& room) {
   return {};
 }
 
+// The wall that a thing is said to be at; empty: none.
+std::string wall_of_thing(const Document& document, int mention) {
+  const Mention& thing = document.mentions[static_cast<std::size_t>(mention)];
+  for (const Link& link : document.links) {
+    for (const int target : link.targets) {
+      const Mention& placed = document.mentions[static_cast<std::size_t>(target)];
+      if (placed.items.empty() || placed.items != thing.items) continue;
+      for (const int reference : link.references) {
+        const NounPhrase& by = document.mentions[static_cast<std::size_t>(reference)].noun;
+        if (by.kind == NounKind::kWall && !by.wall_word.empty()) return by.wall_word;
+      }
+    }
+  }
+  return {};
+}
+
+// "a bay window with a seat on the right wall": where the seat is.
+std::string wall_of_seat_in_window(const Document& document) {
+  for (std::size_t m = 0; m < document.mentions.size(); ++m) {
+    const CatalogEntry* entry = document.mentions[m].noun.entry;
+    if (entry == nullptr || entry->id != "window_seat") continue;
+    if (const std::string wall = wall_of_thing(document, static_cast<int>(m)); !wall.empty()) return wall;
+  }
+  return {};
+}
+
 // One kind named, the other is still needed; nobody wants to do without a door.
 void add_needed_openings(const Document& document, SceneGraph& scene) {
   Room& room = scene.room;
@@ -288,6 +314,7 @@ void add_needed_openings(const Document& document, SceneGraph& scene) {
   const PlacedOpenings placed = placed_openings(document);
   for (Opening& opening : room.openings) {
     const OpeningLook look = look_of(opening);
+    if (look.bay && opening.wall.empty()) opening.wall = wall_of_seat_in_window(document);
     if ((look.outside || look.whole || look.bay) && opening.wall.empty()) opening.wall = wall_to_outside(document, room);
   }
   if (!room.openings.empty() || windowless) {
@@ -319,22 +346,6 @@ void add_door_of_kind(const Catalog& catalog, SceneGraph& scene) {
   add_opening(scene, OpeningType::kDoor, door, {});
   room.openings.back().origin = Origin::kAssumed;
   scene.notes.push_back({"filled", "a " + kind->door + " door is assumed", "/room/openings"});
-}
-
-// The wall that a thing is said to be at; empty: none.
-std::string wall_of_thing(const Document& document, int mention) {
-  const Mention& thing = document.mentions[static_cast<std::size_t>(mention)];
-  for (const Link& link : document.links) {
-    for (const int target : link.targets) {
-      const Mention& placed = document.mentions[static_cast<std::size_t>(target)];
-      if (placed.items.empty() || placed.items != thing.items) continue;
-      for (const int reference : link.references) {
-        const NounPhrase& by = document.mentions[static_cast<std::size_t>(reference)].noun;
-        if (by.kind == NounKind::kWall && !by.wall_word.empty()) return by.wall_word;
-      }
-    }
-  }
-  return {};
 }
 
 bool is_shade(const std::string& word) {

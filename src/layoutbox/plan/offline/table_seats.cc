@@ -70,16 +70,19 @@ class TableSeats {
     (bench ? loose_bench_ : loose_seat_) = true;
   }
 
-  // "a table for six, with chairs": as many; "with a bench": that is all.
+  // "a table for six, with chairs": as many; "with a bench": that is all; "with a bench and chairs": half of them on the bench.
   bool seats_named(const Mention& table, int seats) {
     constexpr int kOfBench = 3;  // sit on one
     const int all = seats * static_cast<int>(table.items.size());
     bool named = loose_seat_ || (loose_bench_ && all <= kOfBench);
-    for (const int seat : links_.placed_by(table, kAnyLink)) {
+    const std::vector<int> placed = links_.placed_by(table, kAnyLink);
+    const bool bench =
+        std::ranges::any_of(placed, [&](int seat) { return names_seat(mention(seat)) && mention(seat).noun.head == "bench"; });
+    for (const int seat : placed) {
       if (!names_seat(mention(seat))) continue;
       const NounPhrase& noun = mention(seat).noun;
       named = true;
-      if (noun.count == 0 && noun.plural && is_upright(noun)) builder_.grow(seat, all);
+      if (noun.count == 0 && noun.plural && is_upright(noun)) builder_.grow(seat, bench && noun.head != "bench" ? all - all / 2 : all);
     }
     return named;
   }

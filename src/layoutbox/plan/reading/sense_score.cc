@@ -82,7 +82,9 @@ double SenseScore::over(const NounPhrase& target, const NounPhrase& reference) c
   const bool narrow = reference.entry != nullptr && mount_of(reference) == Mount::kFloor && !reference.entry->back_to_wall &&
                       !is_heavy(catalog_, reference) && reference.entry->size.usual.width <= 600;
   const bool small = mount_of(reference) == Mount::kSurface;  // "a vase on it, a painting above": over what carries the vase
-  if (mount_of(target) == Mount::kWall && (narrow || small)) score += weight::kOverSeat;
+  const bool in_room = reference.entry != nullptr && reference.entry->is(Trait::kTable) && !reference.entry->back_to_wall &&
+                       reference.entry->used_sides.size() > 1;  // "a sideboard with a mirror above, a rug under the table"
+  if (mount_of(target) == Mount::kWall && (narrow || small || in_room)) score += weight::kOverSeat;
   // Seats and tables stand under things, not over them.
   const bool chest = one_of(target.head, WordSet::kNeverAbove);
   if (is_seat(catalog_, target) || chest || (is_table(catalog_, target) && mount_of(target) == Mount::kFloor)) score += weight::kUnlikely;

@@ -114,6 +114,8 @@ class Habits {
   void hang_clear(int item);
   bool told_where_it_hangs(int item) const;
   bool hang_along(int item);
+  Formula hung_along_top(int item, int host, const Linear& aside2) const;
+  bool share_length_of_table(int item);
   int curtained_by(int item) const;
   std::vector<int> usually_under(int item) const;
   int seat_facing(int item) const;

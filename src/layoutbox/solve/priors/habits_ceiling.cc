@@ -18,7 +18,7 @@ bool Habits::told_where_it_hangs(int item) const {
 // Lamps over tables, else in the middle of the room.
 void Habits::hang_from_ceiling(int item) {
   // Above its thing, in its corner: the middle of the room would pull it off.
-  if (hang_along(item) || told_where_it_hangs(item)) return;
+  if (hang_along(item) || share_length_of_table(item) || told_where_it_hangs(item)) return;
   const Item& self = model_.items[item];
   std::vector<int> below = items_of_kinds(Groups::usual_at(Groups::builtin().hangs, *model_.catalog, *self.entry, Mount::kCeiling), item);
   if (self.is(Trait::kLamp))  // over no desk at a wall
@@ -48,16 +48,50 @@ void Habits::hang_from_ceiling(int item) {
   } else {
     hosts.push_back(below[static_cast<std::size_t>(rank % tables)]);
     const Size& size = model_.items[hosts[0]].states[0].size;
-    for_each_turn(model_.items[hosts[0]], [&](int turn, std::uint64_t states) {
-      const int right = side_direction(model_.items[hosts[0]], Side::kRight, turn).axis;
-      const int along = size.width >= size.depth ? right : 1 - right;
-      Case& c = f.add().when(hosts[0], states);
-      c.wish(mid2(item, along) - mid2(hosts[0], along) - aside2(std::max(size.width, size.depth)), kHangs, 2);
-      c.wish(mid2(item, 1 - along) - mid2(hosts[0], 1 - along), kHangs, 2);
-    });
+    f = hung_along_top(item, hosts[0], aside2(std::max(size.width, size.depth)));
   }
   habit("hangs", item, kHangs, std::move(f), hosts);
   if (hosts.empty()) hang_clear(item);
+}
+
+// Over the middle of a top, `aside2` off it along its length.
+Formula Habits::hung_along_top(int item, int host, const Linear& aside2) const {
+  Formula f;
+  const Size& size = model_.items[host].states[0].size;
+  for_each_turn(model_.items[host], [&](int turn, std::uint64_t states) {
+    const int right = side_direction(model_.items[host], Side::kRight, turn).axis;
+    const int along = size.width >= size.depth ? right : 1 - right;
+    Case& c = f.add().when(host, states);
+    c.wish(mid2(item, along) - mid2(host, along) - aside2, kHangs, 2);
+    c.wish(mid2(item, 1 - along) - mid2(host, 1 - along), kHangs, 2);
+  });
+  return f;
+}
+
+// "two pendant lights above the island": of which no more is told, they share its length.
+bool Habits::share_length_of_table(int item) {
+  const auto hung_over = [&](int lamp) {
+    int over = -1, told = 0;
+    for (const Relation& r : model_.scene->relations) {
+      if (r.type == RelationType::kOnCeiling || std::ranges::find(r.targets, model_.items[lamp].id) == r.targets.end()) continue;
+      ++told;
+      if (r.type == RelationType::kAbove && r.references.size() == 1) over = model_.find_item(r.references[0]);
+    }
+    return told == 1 && over >= 0 && model_.items[over].mount == Mount::kFloor ? over : -1;
+  };
+  const int host = hung_over(item);
+  if (host < 0) return false;
+  std::vector<int> peers;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const int other = static_cast<int>(i);
+    if (model_.items[i].entry == model_.items[item].entry && model_.items[i].mount == Mount::kCeiling && hung_over(other) == host)
+      peers.push_back(other);
+  }
+  const auto n = std::ssize(peers), rank = std::ranges::find(peers, item) - peers.begin();
+  const Size& size = model_.items[host].states[0].size;
+  const Linear aside2(std::int64_t{std::max(size.width, size.depth)} * (2 * rank + 1 - n) / n);
+  habit("hangs", item, kHangs, hung_along_top(item, host, aside2), {host});
+  return true;
 }
 
 // What hangs from the ceiling down to the floor beside a bed or a couch (a ward's curtain) hangs along its long side.
