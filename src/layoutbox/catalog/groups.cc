@@ -112,7 +112,9 @@ std::optional<SizeForSeats> size_for_seats(const Seating& seating, bool round, i
 bool is_round(const SceneObject& object, const CatalogEntry& entry) {
   const auto top = entry.shape.words.find("top");
   const bool kind = top != entry.shape.words.end() && top->second == "round";
-  const auto says = [](const std::string& words) { return words == "round" || words == "circular"; };
+  const auto says = [](const std::string& words) {
+    return words == "round" || words == "circular" || words == "hexagonal" || words == "octagonal";  // one sits all round it
+  };
   return kind || std::ranges::any_of(object.attributes, says) || object.name.starts_with("round ");
 }
 

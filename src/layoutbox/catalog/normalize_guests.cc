@@ -134,6 +134,7 @@ double share_on_top(const Catalog& catalog, const SceneObject& host, const Scene
   if (top.height <= kLow && 1.0 * top.width * top.depth >= kPlatform)
     return share_that_fits(guest.size->least, top.width, top.depth, guest.size->least.height);
   if (catalog.entry_or_nearest(guest.category).is(Trait::kBed)) return 1;  // nobody sleeps in a toy
+  if (guest.category == host.category) return 1;                           // a stack
   const bool stands_on_floor = catalog.entry_or_nearest(guest.category).mount == Mount::kFloor && guest.mount == Mount::kSurface;
   if (!stands_on_floor || catalog.entry_or_nearest(host.category).thin) return 1;
   return share_that_fits(guest.size->least, kOfTop * host.size->usual.width, kOfTop * host.size->usual.depth, kTallest);

@@ -158,6 +158,7 @@ Surface colored(const NamedSurface& named, const Color& color) {
   if (!named.tint && named.kind == "wood" && !brownish(color)) from = &named_surface("lacquer");
   if (!named.tint && named.kind == "metal") from = &named_surface("painted_metal");
   if (!named.tint && named.kind == "plastic") from = &named_surface("plastic");
+  if (named.surface.name == "cardboard") from = &named_surface("paper");  // a box of a colour is of dyed board
   Surface surface = from->surface;
   // What is seen through, gilded or veined keeps its own colour.
   if (!from->tint && from->kind != "wood" && from->kind != "leather" && from->kind != "floor") return surface;

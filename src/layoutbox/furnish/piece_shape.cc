@@ -39,6 +39,13 @@ void Piece::light(Vec position, double watts, double radius) {
   light.position = {static_cast<float>(position.x), static_cast<float>(position.y), static_cast<float>(position.z)};
   light.watts = static_cast<float>(watts);
   light.radius = static_cast<float>(radius);
+  // "A red emergency light", "blue neon": what is called a light shines in the colour that is said of it; a lamp has a shade of it.
+  const std::string name = lower_words(object_.name);
+  if (wish_.color && (name.find("light") != std::string::npos || name.find("neon") != std::string::npos)) {
+    constexpr float kColored = 3;  // to be seen beside the daylight
+    light.color = *wish_.color;
+    light.watts *= kColored;
+  }
   lights_.push_back(light);
 }
 

@@ -93,7 +93,10 @@ void add_floor(const Layout& layout, const Decor& decor, Palette& palette, Model
   node.id = "floor";
   node.kind = NodeKind::kFloor;
   const std::string& asked = layout.room.floor_material;
-  const Surface surface = surface_for(layout, asked.empty() ? decor.floor : asked, "oak_planks", true);
+  // "A grey floor" is what such rooms have, in grey.
+  const SurfaceWish own = read_wish(decor.floor);
+  const std::string usual = asked.empty() || own.materials.empty() ? "oak_planks" : floor_of(*own.materials.front());
+  const Surface surface = surface_for(layout, asked.empty() ? decor.floor : asked, usual, true);
   node.parts = {{std::move(top), palette.add(surface)}, {std::move(body), palette.named("walnut")}};
   model.nodes.push_back(std::move(node));
 }

@@ -3,6 +3,7 @@
 #include "layoutbox/dress/dress.h"
 #include "layoutbox/pipeline/generate.h"
 #include "layoutbox/plan/companions.h"
+#include "layoutbox/plan/open_rows.h"
 
 namespace layoutbox {
 
@@ -21,9 +22,13 @@ Result<SceneGraph> prepare_plan(const Plan& plan, const Catalog& catalog, const 
   LAYOUTBOX_ASSIGN(SceneGraph scene, prepare_scene(plan.scene, catalog, options));
   if (!comes_with_more(plan, options)) return scene;
   SceneGraph more = plan.scene;
+  const std::size_t relations = more.relations.size();
+  const std::size_t in_rows = fill_rows(more, scene, plan.linings, catalog);
+  if (in_rows > 0) more.notes.push_back({"filled", counted(in_rows, "thing") + " fill the walls that the text says are lined", "prompt"});
   const std::size_t added = add_companions(more, scene, plan.unwanted, catalog);
-  if (added == 0) return scene;
-  more.notes.push_back({"filled", counted(added, "thing") + " that the use of the room needs came with what is named", "prompt"});
+  if (added == 0 && more.relations.size() == relations) return scene;
+  if (added > 0)
+    more.notes.push_back({"filled", counted(added, "thing") + " that the use of the room needs came with what is named", "prompt"});
   return prepare_scene(std::move(more), catalog, options);
 }
 

@@ -38,11 +38,18 @@ struct CloseReading {
   std::string taken, other;        // how they were read, and how else: "is said of “a lamp”"
 };
 
+// Things of one mention that stand along walls; `open`: the text leaves open how many they are.
+struct Lining {
+  std::vector<std::string> ids;
+  bool open = false;
+};
+
 struct Plan {
   SceneGraph scene;                   // not yet normalised
   std::vector<WordReading> readings;  // every word of the prompt once, in order (offline planner)
   std::vector<CloseReading> close;    // (offline planner)
   std::vector<std::string> unwanted;  // kinds of which the text wants none ("no coffee table"), catalogue ids (offline planner)
+  std::vector<Lining> linings;        // (offline planner)
   bool by_model = false;              // a model names all that it wants: nothing comes with it
 };
 

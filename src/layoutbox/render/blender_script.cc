@@ -248,7 +248,8 @@ std::string write_blender_script(const Model& model, const Layout& layout, const
   std::string script = head(layout) + settings(layout, options);
   script += embedded::light_py;
   if (model.daylight < 1)
-    script += fmt::format("for part in (\"sun\", \"sky\", \"beams\"):\n    LIGHT[part] *= {}\n", number(model.daylight));
+    script += fmt::format("for part in (\"sun\", \"sky\", \"beams\"):\n    LIGHT[part] *= {0}\nLIGHT[\"lamps\"] /= {0} * {0}\n",
+                          number(model.daylight));
   script += "\n";
   script += room_tables(layout) + objects + "]\n\n" + failed_table(layout) + images_table(model) + materials_table(model) + shell + "]\n\n";
   for (const std::string_view code : {embedded::geometry_py, embedded::materials_py, embedded::scene_py, embedded::render_py,

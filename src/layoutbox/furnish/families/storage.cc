@@ -147,8 +147,11 @@ void garments(Piece& p, const FreeSpace& room) {
 void rack(Piece& p) {
   if (p.word("kind", "") == "rail" || (p.mount() == Mount::kWall && p.spaces.empty())) return rail(p);
   const int metal = p.frame("black_metal"), board = p.main("oak");
+  constexpr double kBay = 2.7;  // what is longer has posts between
   const double t = side_room(p, std::min({0.025, p.w * 0.05, p.d * 0.15}));
-  for (const double x : {-1.0, 1.0}) {
+  const int bays = std::max(1, static_cast<int>(std::ceil(p.w / kBay)));
+  for (int bay = 0; bay <= bays; ++bay) {
+    const double x = 2.0 * bay / bays - 1;
     for (const double y : {-1.0, 1.0}) {
       const double cx = x * (p.w / 2 - t / 2), cy = y * (p.d / 2 - t / 2);
       p.add(metal, box(sides(cx - t / 2, cx + t / 2, cy - t / 2, cy + t / 2, 0, p.h), 0.003));

@@ -74,10 +74,23 @@ void picnic_table(Piece& p) {
 }
 
 std::string top_of(const Piece& p) {
-  return p.says("round") || p.says("circular")       ? "round"
+  return p.says("hexagonal")                         ? "hexagon"
+         : p.says("octagonal")                       ? "octagon"
+         : p.says("round") || p.says("circular")     ? "round"
          : p.says("oval")                            ? "oval"
          : p.says("rectangular") || p.says("square") ? "rect"
                                                      : p.word("top", "rect");
+}
+
+// As wide and deep as these halves say, a corner at either end.
+std::vector<Vec2> regular_polygon(int corners, Vec2 half) {
+  std::vector<Vec2> outline;
+  const double highest = std::sin(2 * kPi * (corners / 4) / corners);
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * kPi * i / corners;
+    outline.push_back({half.x * std::cos(angle), half.y * std::sin(angle) / highest});
+  }
+  return outline;
 }
 
 // Four legs under a frame of boards.
@@ -121,8 +134,13 @@ void table(Piece& p) {
   const int wood = p.main("oak"), frame = p.painted_frame("oak");
   const double under = p.clear_below(p.h - std::min(0.09, p.h * 0.16)), board = std::min(0.035, (p.h - under) * 0.6 + 0.002);
   const double level = p.h - board;
-  slab(p, wood, sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, level, p.h), top, 0.006);
-  if (top == "round" || top == "oval" || p.count("legs", 4) == 1) {
+  const int corners = top == "hexagon" ? 6 : top == "octagon" ? 8 : 0;
+  if (corners > 0) {
+    p.add(wood, prism(regular_polygon(corners, {p.w / 2, p.d / 2}), level, p.h));
+  } else {
+    slab(p, wood, sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, level, p.h), top, 0.006);
+  }
+  if (top == "round" || top == "oval" || corners > 0 || p.count("legs", 4) == 1) {
     round_support(p, frame, level);
   } else {
     apron_and_legs(p, frame, under, level);

@@ -231,10 +231,10 @@ class ModelPlanner final : public Planner {
     const auto planning = begin(prompt, options, {});
     for (Feedback feedback; planning->attempts() < options_.max_attempts;) {
       LAYOUTBOX_ASSIGN(Proposal proposal, planning->attempts() == 0 ? planning->propose() : planning->revise(feedback));
-      if (proposal.scene) return Plan{std::move(*proposal.scene), {}, {}, {}, true};
+      if (proposal.scene) return Plan{std::move(*proposal.scene), {}, {}, {}, {}, true};
       feedback.faults = std::move(proposal.faults);
     }
-    if (auto proposal = planning->salvage()) return Plan{std::move(*proposal->scene), {}, {}, {}, true};
+    if (auto proposal = planning->salvage()) return Plan{std::move(*proposal->scene), {}, {}, {}, {}, true};
     return Failure(planning->no_usable_scene());
   }
 

@@ -31,6 +31,16 @@ bool NounPhraseReader::describes(std::size_t at) const {
   return is_noun(noun_form(tokens_[at + 1].text)) && lexicon_.find(tokens_, at + 2).length > 0 && !plural_at(at + 2);
 }
 
+// "a stack of four tires": the four stand on each other.
+void NounPhraseReader::stack_if_heaped() {
+  constexpr std::string_view kStack = "stack";
+  if (heaped_ == kStack && phrase_.count > 1) {
+    phrase_.attributes.emplace_back("stacked");
+    phrase_.attribute_classes.push_back(Class::kQuality);
+  }
+  heaped_ = {};
+}
+
 bool NounPhraseReader::read_digits() {
   if (read_measure(lexicon_, tokens_, i_)) return false;
   if (hyphenated(i_ + 1) && i_ + 1 < tokens_.size() && tokens_[i_ + 1].kind == Token::Kind::kWord) return false;
@@ -38,7 +48,7 @@ bool NounPhraseReader::read_digits() {
   const double value = token().number;
   if (value < 0 || value > 500 || value != static_cast<int>(value)) return false;
   phrase_.count = heaped_.empty() ? std::max(phrase_.count, 1) * static_cast<int>(value) : static_cast<int>(value);
-  heaped_ = {};
+  stack_if_heaped();
   ++i_;
   if (at_word("x") && i_ + 1 < tokens_.size() && tokens_[i_ + 1].kind == Token::Kind::kWord) ++i_;  // "4 x chair"
   // "2-3 chairs", "2 to 3": the smaller number, at least.
@@ -69,7 +79,11 @@ bool NounPhraseReader::read_number_word() {
   // "two pairs of boots", "three dozen": so many times.
   const bool times = is_number && phrase_.count > 0 && (at_word("pairs") || at_word("pair") || at_word("dozen"));
   phrase_.count = times ? phrase_.count * value : phrase_.count > 0 && !is_number ? phrase_.count : value;
-  heaped_ = is_number ? std::string_view{} : heap_at(i_, best.length);
+  if (is_number) {
+    stack_if_heaped();
+  } else {
+    heaped_ = heap_at(i_, best.length);
+  }
   phrase_.vague |= !is_number && (heaped_.empty() || !counted_);  // "two stacks of letters"
   counted_ = true;
   for (std::size_t i = i_; i < i_ + best.length; ++i) paired_ |= tokens_[i].text == "pair" || tokens_[i].text == "pairs";

@@ -92,6 +92,7 @@ class NounPhraseReader {
   bool read_count();
   bool describes(std::size_t at) const;
   bool read_digits();
+  void stack_if_heaped();
   bool read_number_word();
   bool is_no_count(const Match& best, bool is_number) const;
   void read_upper_end();

@@ -19,6 +19,7 @@
 #include "layoutbox/plan/offline/labels.h"
 #include "layoutbox/plan/offline/languages.h"
 #include "layoutbox/plan/offline/left_out.h"
+#include "layoutbox/plan/offline/linings.h"
 #include "layoutbox/plan/offline/object_size.h"
 #include "layoutbox/plan/offline/people.h"
 #include "layoutbox/plan/offline/purposes.h"
@@ -137,6 +138,7 @@ class OfflinePlanner final : public Planner {
     name_room_by_contents(lexicon_, document, plan.scene);
     furnish_by_wish(lexicon_, document, plan.scene);
     settle_slopes(lexicon_, document, plan.scene);
+    plan.linings = find_linings(lexicon_, document, plan.scene);
     const bool speaks_of_room = !document.rooms.empty() || !plan.scene.room.openings.empty() || size.width > 0 || size.area > 0;
     if (plan.scene.objects.empty() && !speaks_of_room) {
       return fail(ErrorCode::kEmpty, "neither a room nor a piece of furniture was understood", "prompt",

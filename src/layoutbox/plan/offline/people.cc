@@ -40,10 +40,12 @@ class RoomPeople {
     // "an office for twelve with plants between the desks": twelve of them.
     const bool rows = host >= 0 && mention(host).noun.rows > 0 && mention(host).noun.vague;
     if (host >= 0 && persons == 1 && mention(host).noun.plural && (mention(host).noun.count == 0 || rows)) {
-      const int at_each =
-          std::max({mention(host).noun.seats, builder_.seats_said(mention(host)), 1});  // "tables in groups of four", "double desks"
+      const auto [seats, told_each] = seats_of_each(host);
+      const int at_each = std::max(
+          {mention(host).noun.seats, builder_.seats_said(mention(host)), told_each, 1});  // "tables in groups of four", "double desks"
       const std::vector<int> before = mention(host).items;
       builder_.grow(host, (people + at_each - 1) / at_each);
+      if (told_each > 1) builder_.grow(seats, static_cast<int>(mention(host).items.size()) * told_each);
       grow_contents({host}, before);
       constexpr int kMostInRow = 12;
       if (rows && people > kMostInRow * mention(host).noun.rows) mention(host).noun.rows = 0;  // as many rows as there is room for
@@ -91,6 +93,18 @@ class RoomPeople {
       if (both(Trait::kBed) || tables || seats || (entry != nullptr && catalog_.is_a(entry->id, kind.id))) return static_cast<int>(m);
     }
     return -1;
+  }
+
+  // "tables with six chairs each": these chairs, and how many of them are at one; -1 and 0: nothing is said.
+  std::pair<int, int> seats_of_each(int host) const {
+    for (const Link& link : document_.links) {
+      if (link.kind != Link::Kind::kHave || !contains(link.references, host) || link.targets.size() != 1) continue;
+      const Mention& seats = document_.mentions[static_cast<std::size_t>(link.targets.front())];
+      const std::size_t tables = document_.mentions[static_cast<std::size_t>(host)].items.size();
+      if (is_seat(catalog_, seats.noun) && seats.noun.count > 1 && tables > 0 && seats.items.size() % tables == 0)
+        return {link.targets.front(), static_cast<int>(seats.items.size() / tables)};
+    }
+    return {-1, 0};
   }
 
   // "a restaurant for 30, tables for two and four": so many of each that all have a place; whether several kinds are named.

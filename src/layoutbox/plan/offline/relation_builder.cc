@@ -31,6 +31,7 @@ void RelationBuilder::run() {
     if (link.kind == Link::Kind::kRelation) add_relations(link);
   }
   add_rows();
+  add_stacks();
   add_clusters();
   complete_sides();
   for (const Link& link : document_.links) {
@@ -94,8 +95,15 @@ bool is_used_within(const Catalog& catalog, const SceneObject& object, const Sce
 
 }  // namespace
 
+void RelationBuilder::add_two_rows(const Link& link, std::vector<std::string> targets) {
+  Link rows = link;
+  rows.columns = 2;
+  add(rows, R::kGrid, std::move(targets), {});
+}
+
 void RelationBuilder::add(const Link& link, R type, std::vector<std::string> targets, std::vector<std::string> references,
                           const PhraseSense& sense) {
+  constexpr std::size_t kRowsOfPillars = 4;
   if (targets.empty()) return;
   // Nothing stands by itself.
   std::erase_if(references, [&](const std::string& r) { return std::find(targets.begin(), targets.end(), r) != targets.end(); });
@@ -109,6 +117,13 @@ void RelationBuilder::add(const Link& link, R type, std::vector<std::string> tar
     const SceneObject *thing = scene_.find_object(targets.front()), *host = scene_.find_object(references.front());
     if (thing != nullptr && host != nullptr && is_used_within(catalog_, *thing, *host)) type = R::kInside;
   }
+  // "four pillars along each side" of whatever are two rows through the room.
+  const bool pillars =
+      type == R::kEachSideOf && targets.size() >= kRowsOfPillars && std::ranges::all_of(targets, [&](const std::string& target) {
+        const SceneObject* object = scene_.find_object(target);
+        return object != nullptr && catalog_.entry_or_nearest(object->category).is(Trait::kBearsCeiling);
+      });
+  if (pillars) return add_two_rows(link, std::move(targets));
   if (repeats_known(link, type, targets, references, sense)) return;
   for (const std::string& target : targets) of_target_[target].push_back(scene_.relations.size());
   Relation relation;

@@ -56,6 +56,8 @@ class RelationBuilder {
   void add_relations(const Link& link);
   void add_relations_to(const Link& link, const std::vector<int>& targets, const Mention& reference_mention);
   void add_rows();
+  void add_stacks();
+  void add_two_rows(const Link& link, std::vector<std::string> targets);
   void add_clusters();
   bool look_at_one_thing(const Mention& mention) const;
   void set_heights();

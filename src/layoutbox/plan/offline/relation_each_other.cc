@@ -123,4 +123,21 @@ void RelationBuilder::stand_in_line(const Link& link, const std::string& next, c
   add(concluded, R::kEdgeAlign, {next}, {one});
 }
 
+// "three stacked crates" stand on each other.
+void RelationBuilder::add_stacks() {
+  constexpr std::size_t kMostInStack = 5;
+  for (const Mention& mention : document_.mentions) {
+    const NounPhrase& noun = mention.noun;
+    const bool stacked =
+        contains_word(noun.attributes, "stacked") || contains_word(noun.attributes, "piled") || noun.name.starts_with("stacked ");
+    if (!mention.introduces || !stacked || mention.items.size() < 2 || mention.items.size() > kMostInStack || noun.entry == nullptr)
+      continue;
+    if (mount_of(noun) != Mount::kFloor || is_seat(catalog_, noun)) continue;
+    Link link;
+    link.first = noun.first;
+    link.last = noun.last;
+    for (std::size_t i = 1; i < mention.items.size(); ++i) add(link, R::kOn, {id(mention.items[i])}, {id(mention.items[i - 1])});
+  }
+}
+
 }  // namespace layoutbox::offline

@@ -314,7 +314,14 @@ bool UnitReader::passes_count(std::size_t k) {
   const bool persons = noun.kind == NounKind::kMember || lexicon_.is_person(noun.head);
   const std::size_t before = last_noun();
   if (persons && (is_enough(before) || is_one_for_each(before))) {  // "enough chairs for six", "lockers for twelve"
-    document_.chunks[before].noun.count = noun.count;
+    count_for(document_.chunks[before].noun, noun.count);
+    mark(k, Use::kUsed, "for how many");
+    mark(n, Use::kUsed, "for how many");
+    passed_over_ = n;
+    return true;
+  }
+  if (const std::size_t seats = seats_in_rows_before(k); persons && seats < k) {  // "rows of chairs facing the stage, for sixty people"
+    count_for(document_.chunks[seats].noun, noun.count);
     mark(k, Use::kUsed, "for how many");
     mark(n, Use::kUsed, "for how many");
     passed_over_ = n;
@@ -341,12 +348,28 @@ bool UnitReader::is_enough(std::size_t k) const {
   return noun.plural && noun.count == 0 && document_.tokens[chunk(k).first - 1].text == "enough";
 }
 
+// The seats of this sentence that stand in rows and are not counted; k: there are none.
+std::size_t UnitReader::seats_in_rows_before(std::size_t k) const {
+  for (std::size_t c = k; c-- > 0 && !is(c, ChunkKind::kStop);) {
+    if (names_thing(c) && chunk(c).noun.rows > 0 && is_one_for_each(c)) return c;
+  }
+  return k;
+}
+
+// So many people, so many of them; of rows as many as there is room for.
+void UnitReader::count_for(NounPhrase& things, int people) {
+  constexpr int kInRow = 12;
+  things.count = people;
+  if (people > kInRow * things.rows) things.rows = 0;
+}
+
 // What everybody has of his own and is not counted yet: seats, beds, what is narrow.
 bool UnitReader::is_one_for_each(std::size_t k) const {
   constexpr Mm kNarrow = 600;
   if (!names_thing(k)) return false;
   const NounPhrase& noun = chunk(k).noun;
-  if (!noun.plural || noun.count != 0 || noun.determiner != Determiner::kNone || noun.entry == nullptr) return false;
+  const bool rows = noun.rows > 0 && noun.vague;  // "rows of chairs for sixty"
+  if (!noun.plural || (noun.count != 0 && !rows) || noun.determiner != Determiner::kNone || noun.entry == nullptr) return false;
   return is_seat(lexicon_.catalog(), noun) || noun.entry->is(Trait::kBed) ||
          (noun.entry->size.usual.width <= kNarrow && !is_table(lexicon_.catalog(), noun));
 }

@@ -63,6 +63,8 @@ class UnitReader {
   bool passes_count(std::size_t k);
   bool is_enough(std::size_t k) const;
   bool is_one_for_each(std::size_t k) const;
+  std::size_t seats_in_rows_before(std::size_t k) const;
+  static void count_for(NounPhrase& things, int people);
   bool passes_role(std::size_t k);
   bool serves_for(std::size_t k, std::size_t role);
   bool brings_for_each(std::size_t k);

@@ -166,9 +166,9 @@ class FormationPlace {
     const int asked = aside ? (n + of_.columns - 1) / of_.columns : of_.columns;
     const Size& own = first_.states[0].size;
     const Size size{own.width, own.depth + of_.seats, own.height};
-    if (first_.is(Trait::kBearsCeiling) && asked > 0) {  // spread over all of the room
-      const int rows = (n + asked - 1) / asked;
-      return {asked, across / asked, deep / rows};
+    if (const int pillars = asked > 0 ? asked : n % 2 == 0 ? 2 : 0; first_.is(Trait::kBearsCeiling) && pillars > 0) {
+      const int rows = (n + pillars - 1) / pillars;  // spread over all of the room
+      return {pillars, across / pillars, deep / rows};
     }
     const auto gaps = gaps_of(first_);
     const Mm gap_across = gaps.first, gap_deep = of_.seats > 0 ? kBehindSitter : gaps.second;
@@ -279,7 +279,7 @@ void add_seat_place(Formula& f, const PlacementModel& model, int seat, int table
   const Size &size = host.states[0].size, &own = chair.states[0].size;
   Side side = used_side(host);
   int place = k, places = n;
-  if (!host.has_front && long_sides) {
+  if (long_sides) {
     const bool wide = size.width >= size.depth;
     side = k % 2 == 0 ? (wide ? Side::kFront : Side::kLeft) : wide ? Side::kBack : Side::kRight;
     place = k / 2, places = k % 2 == 0 ? (n + 1) / 2 : n / 2;

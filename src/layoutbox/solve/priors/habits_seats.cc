@@ -164,7 +164,9 @@ bool Habits::sit_in_row(int item, int host, RelationType how) {
   const auto k = std::find(seats.begin(), seats.end(), item) - seats.begin();
   if (seats.size() < 2 || k == static_cast<std::ptrdiff_t>(seats.size())) return false;
   Formula f;
-  add_seat_place(f, model_, item, host, static_cast<int>(k), static_cast<int>(seats.size()), kBeside, along);
+  // What stands free has seats at both of its long sides, though one mostly works at its front.
+  const bool both = along && (!model_.items[host].has_front || (told_to_stand_free(host) && !model_.items[host].is(Trait::kCounter)));
+  add_seat_place(f, model_, item, host, static_cast<int>(k), static_cast<int>(seats.size()), kBeside, both);
   habit("in a row before it", item, kBeside, std::move(f), {host});
   return true;
 }

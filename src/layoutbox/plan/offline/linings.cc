@@ -1,0 +1,81 @@
+#include "layoutbox/plan/offline/linings.h"
+
+#include <algorithm>
+
+#include "layoutbox/base/words.h"
+#include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/word_sets.h"
+#include "layoutbox/scene/relation_traits.h"
+
+namespace layoutbox::offline {
+namespace {
+
+class Linings {
+ public:
+  Linings(const Lexicon& lexicon, const Document& document, const SceneGraph& scene)
+      : lexicon_(lexicon), document_(document), scene_(scene) {}
+
+  std::vector<Lining> find() const {
+    std::vector<Lining> found;
+    for (const Mention& mention : document_.mentions) {
+      if (!mention.introduces || mention.items.empty() || mention.noun.kind != NounKind::kObject) continue;
+      if (!lines_walls(mention) && !fills_room(mention)) continue;
+      Lining& lining = found.emplace_back();
+      for (const int item : mention.items) lining.ids.push_back(object(item).id);
+      lining.open = is_open(mention.noun);
+    }
+    return found;
+  }
+
+ private:
+  const SceneObject& object(int item) const { return scene_.objects[static_cast<std::size_t>(item)]; }
+
+  // "shelves", "shelving": nobody counts them, and they are what stands in rows along a wall.
+  bool is_open(const NounPhrase& noun) const {
+    const bool mass = !noun.plural && noun.determiner == Determiner::kNone && noun.head.ends_with("ing");
+    const bool stands = noun.entry != nullptr && noun.entry->mount == Mount::kFloor && noun.entry->back_to_wall;
+    return stands && noun.entry->is(Trait::kShelving) && noun.count == 0 && (noun.plural || mass) && !noun.size.any();
+  }
+
+  bool says_lining(const Relation& r) const {
+    if (r.type != RelationType::kAgainstWall || !r.asked()) return false;
+    return std::ranges::any_of(words_of(r.why), [](const std::string& word) { return one_of(word, WordSet::kLining); });
+  }
+
+  bool lines_walls(const Mention& mention) const {
+    return std::ranges::all_of(mention.items, [&](int item) {
+      return std::ranges::any_of(scene_.relations, [&](const Relation& r) {
+        return says_lining(r) && std::ranges::find(r.targets, object(item).id) != r.targets.end();
+      });
+    });
+  }
+
+  // "a library with bookshelves": of nothing is said where they are, and such rooms are full of them.
+  bool fills_room(const Mention& mention) const {
+    constexpr int kFull = 3;
+    const RoomKind* room = scene_.room.type.empty() ? nullptr : lexicon_.catalog().find_room(scene_.room.type);
+    if (room == nullptr || !is_open(mention.noun)) return false;
+    const bool usual = std::ranges::any_of(room->usual, [&](const auto& row) {
+      const CatalogEntry* entry = lexicon_.catalog().find(row.first);
+      return row.second >= kFull && entry != nullptr && entry->is(Trait::kShelving);
+    });
+    return usual && std::ranges::none_of(mention.items, [&](int item) {
+             return std::ranges::any_of(scene_.relations, [&](const Relation& r) {
+               return r.asked() && std::ranges::find(r.targets, object(item).id) != r.targets.end();
+             });
+           });
+  }
+
+  const Lexicon& lexicon_;
+  const Document& document_;
+  const SceneGraph& scene_;
+};
+
+}  // namespace
+
+std::vector<Lining> find_linings(const Lexicon& lexicon, const Document& document, const SceneGraph& scene) {
+  return Linings(lexicon, document, scene).find();
+}
+
+}  // namespace layoutbox::offline

@@ -1,0 +1,169 @@
+#include "layoutbox/plan/open_rows.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <numeric>
+
+#include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/scene/relation_traits.h"
+#include "layoutbox/scene/shell.h"
+
+namespace layoutbox {
+namespace {
+
+constexpr Mm kDoorwayOfWall = 1200;  // with its leaf, where nobody says in which wall it is
+constexpr std::size_t kMostAdded = 36;
+constexpr Mm kSeatApart = 80;
+
+class OpenRows {
+ public:
+  OpenRows(SceneGraph& scene, const SceneGraph& sized, const Catalog& catalog) : scene_(scene), sized_(sized), catalog_(catalog) {}
+
+  std::size_t run(const std::vector<Lining>& linings) {
+    const std::size_t before = scene_.objects.size();
+    for (const Lining& lining : linings) {
+      if (lining.ids.empty() || scene_.find_object(lining.ids.front()) == nullptr) continue;
+      if (lining.open && names_walls(lining))
+        fill_named_walls(lining);
+      else
+        spread(lining);
+    }
+    return scene_.objects.size() - before;
+  }
+
+ private:
+  const Relation* at_wall(const std::string& id) const {
+    const auto of_it = [&](const Relation& r) { return r.type == RelationType::kAgainstWall && r.targets == std::vector{id}; };
+    const auto found = std::ranges::find_if(scene_.relations, of_it);
+    return found == scene_.relations.end() ? nullptr : &*found;
+  }
+
+  const Wall* wall_of(const Relation& r) const { return r.references.empty() ? nullptr : sized_.find_wall(r.references.front()); }
+
+  bool names_walls(const Lining& lining) const {
+    return std::ranges::all_of(lining.ids, [&](const std::string& id) {
+      const Relation* r = at_wall(id);
+      return r != nullptr && wall_of(*r) != nullptr;
+    });
+  }
+
+  Size size_of(const std::string& id) const {
+    const SceneObject* object = sized_.find_object(id);
+    const SceneObject* own = scene_.find_object(id);
+    if (object != nullptr && object->size) return object->size->usual;
+    return own == nullptr ? Size{} : catalog_.entry_or_nearest(own->category).size.usual;
+  }
+
+  // What of a wall is free for a row of it: no doorway, nothing else that was told to be there, a corner left to the next wall's row.
+  Mm free_of(const Wall& wall, const std::vector<std::string>& row) const {
+    Mm free = length_of(wall);
+    bool door = false;
+    for (const Opening& opening : sized_.room.openings) {
+      if (sized_.find_wall(opening.wall) == &wall)
+        free -= opening.width + (opening.type == OpeningType::kDoor ? kDoorwayOfWall - opening.width : 0);
+      door |= opening.type == OpeningType::kDoor && !opening.wall.empty();
+    }
+    if (!door && wall_on_side(sized_.room.walls, Side::kFront) == &wall) free -= kDoorwayOfWall;
+    for (const Relation& r : scene_.relations) {
+      const auto in_row = [&](const std::string& id) { return std::ranges::find(row, id) != row.end(); };
+      if (r.references.size() != 1 || sized_.find_wall(r.references.front()) != &wall || std::ranges::any_of(r.targets, in_row)) continue;
+      for (const std::string& id : r.targets) {
+        const SceneObject* other = sized_.find_object(id);
+        if (other != nullptr && other->mount == Mount::kFloor) free -= size_of(id).width;
+      }
+    }
+    return free - size_of(row.front()).depth;
+  }
+
+  // "bookshelves along both long walls": as many as each of them has room for.
+  void fill_named_walls(const Lining& lining) {
+    std::map<const Wall*, std::vector<std::string>> at;
+    for (const std::string& id : lining.ids) at[wall_of(*at_wall(id))].push_back(id);
+    for (const Wall& wall : sized_.room.walls) {
+      const auto row = at.find(&wall);
+      if (row == at.end()) continue;
+      const Mm width = std::max<Mm>(size_of(row->second.front()).width, 100);
+      const auto fit = static_cast<std::size_t>(std::max<Mm>(free_of(wall, lining.ids), 0) / width);
+      for (std::size_t n = row->second.size(); n < fit && added_ < kMostAdded; ++n) twin_of(row->second.front());
+    }
+  }
+
+  // Another one of which the same is said.
+  std::string twin_of(const std::string& id) {
+    SceneObject twin = *scene_.find_object(id);
+    int number = 1;
+    while (scene_.find_object(twin.category + "_" + std::to_string(number)) != nullptr) ++number;
+    twin.id = twin.category + "_" + std::to_string(number);
+    twin.origin = Origin::kConcluded;
+    std::vector<Relation> also;
+    for (const Relation& r : scene_.relations) {
+      if (r.targets != std::vector{id}) continue;
+      also.push_back(r);
+      also.back().id += "+" + twin.id;
+      also.back().targets = {twin.id};
+      also.back().origin = Origin::kConcluded;
+    }
+    scene_.objects.push_back(twin);
+    scene_.relations.insert(scene_.relations.end(), also.begin(), also.end());
+    ++added_;
+    return twin.id;
+  }
+
+  // "ten chairs along the walls", "bookshelves lining the walls": shared out over those that have room for a few.
+  void spread(const Lining& lining) {
+    const CatalogEntry& kind = catalog_.entry_or_nearest(scene_.find_object(lining.ids.front())->category);
+    const Mm pitch = std::max<Mm>(size_of(lining.ids.front()).width, 100) + (kind.is(Trait::kSeat) ? kSeatApart : 0);
+    struct Part {
+      const Wall* wall;
+      std::size_t room;
+    };
+    std::vector<Part> parts;
+    for (const Side side : {Side::kBack, Side::kRight, Side::kLeft}) {
+      const Wall* wall = wall_on_side(sized_.room.walls, side);
+      if (wall != nullptr) parts.push_back({wall, static_cast<std::size_t>(std::max<Mm>(free_of(*wall, lining.ids), 0) / pitch)});
+    }
+    std::erase_if(parts, [](const Part& part) { return part.room < 2; });
+    std::ranges::stable_sort(parts, std::greater{}, &Part::room);
+    const auto all = [&] {
+      return std::accumulate(parts.begin(), parts.end(), std::size_t{0}, [](auto n, const Part& p) { return n + p.room; });
+    };
+    // What is counted takes no more walls than it needs: the others are for what else stands in the room.
+    while (!lining.open && parts.size() > 2 && (all() - parts.back().room) * 3 / 4 >= lining.ids.size()) parts.pop_back();
+    if (parts.size() < 2 || (!lining.open && lining.ids.size() < 2 * parts.size())) return;
+    std::vector<std::string> ids = lining.ids;
+    while (lining.open && ids.size() < all() && added_ < kMostAdded) ids.push_back(twin_of(ids.front()));
+    std::size_t next = 0, before = 0;
+    for (const Part& part : parts) {
+      before += part.room;
+      for (const std::size_t until = ids.size() * before / all(); next < until; ++next) prefer(ids[next], *part.wall);
+    }
+  }
+
+  void prefer(const std::string& id, const Wall& wall) {
+    constexpr int kStrongly = 200;
+    Relation relation;
+    relation.id = "w" + id;
+    relation.type = RelationType::kAgainstWall;
+    relation.targets = {id};
+    relation.references = {wall.id};
+    relation.hard = false;
+    relation.weight = kStrongly;
+    relation.origin = Origin::kConcluded;
+    relation.why = "shared out over the walls";
+    scene_.relations.push_back(std::move(relation));
+  }
+
+  SceneGraph& scene_;
+  const SceneGraph& sized_;
+  const Catalog& catalog_;
+  std::size_t added_ = 0;
+};
+
+}  // namespace
+
+std::size_t fill_rows(SceneGraph& scene, const SceneGraph& sized, const std::vector<Lining>& linings, const Catalog& catalog) {
+  return OpenRows(scene, sized, catalog).run(linings);
+}
+
+}  // namespace layoutbox
