@@ -251,7 +251,7 @@ TEST(Furnish, WornThingsAreDarkerThanNewOnes) {
 
 // The door of an open machine is before it, over free floor.
 TEST(Furnish, OpenMachinesShowTheirInside) {
-  for (const char* kind : {"dishwasher", "oven", "fridge"}) {
+  for (const char* kind : {"dishwasher", "oven", "fridge", "locker", "wardrobe", "cabinet"}) {
     const auto front = [&](std::vector<std::string> words) {
       PlacedObject object = object_of(kind);
       object.attributes = std::move(words);

@@ -93,9 +93,11 @@ void add_floor(const Layout& layout, const Decor& decor, Palette& palette, Model
   node.id = "floor";
   node.kind = NodeKind::kFloor;
   const std::string& asked = layout.room.floor_material;
-  // "A grey floor" is what such rooms have, in grey.
+  // "A grey floor" is what such rooms have, in grey; where nobody says what room it is, no boards.
   const SurfaceWish own = read_wish(decor.floor);
-  const std::string usual = asked.empty() || own.materials.empty() ? "oak_planks" : floor_of(*own.materials.front());
+  const std::string usual = asked.empty() || own.materials.empty() ? "oak_planks"
+                            : layout.room.type.empty()             ? "vinyl_floor"
+                                                                   : floor_of(*own.materials.front());
   const Surface surface = surface_for(layout, asked.empty() ? decor.floor : asked, usual, true);
   node.parts = {{std::move(top), palette.add(surface)}, {std::move(body), palette.named("walnut")}};
   model.nodes.push_back(std::move(node));

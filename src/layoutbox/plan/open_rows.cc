@@ -24,7 +24,10 @@ class OpenRows {
     const std::size_t before = scene_.objects.size();
     for (const Lining& lining : linings) {
       if (lining.ids.empty() || scene_.find_object(lining.ids.front()) == nullptr) continue;
-      if (lining.open && names_walls(lining))
+      const SceneObject* counter = counter_of(scene_, catalog_, lining.ids.front());
+      if (lining.open && counter != nullptr)
+        fill_counter(lining, counter->id);
+      else if (lining.open && names_walls(lining))
         fill_named_walls(lining);
       else
         spread(lining);
@@ -87,6 +90,14 @@ class OpenRows {
       const auto fit = static_cast<std::size_t>(std::max<Mm>(free_of(wall, lining.ids), 0) / width);
       for (std::size_t n = row->second.size(); n < fit && added_ < kMostAdded; ++n) twin_of(row->second.front());
     }
+  }
+
+  // "a long bar with stools in front": as many as sit there at ease.
+  void fill_counter(const Lining& lining, const std::string& counter) {
+    constexpr Mm kPlace = 700;
+    constexpr std::size_t kMostAtCounter = 6;
+    const std::size_t fit = std::min(kMostAtCounter, static_cast<std::size_t>(size_of(counter).width / kPlace));
+    for (std::size_t n = lining.ids.size(); n < fit; ++n) twin_of(lining.ids.front());
   }
 
   // Another one of which the same is said.
@@ -161,6 +172,16 @@ class OpenRows {
 };
 
 }  // namespace
+
+const SceneObject* counter_of(const SceneGraph& scene, const Catalog& catalog, const std::string& seat) {
+  for (const Relation& r : scene.relations) {
+    const bool along = r.type == RelationType::kInFrontOf || r.type == RelationType::kAlongSide;
+    if (!along || r.references.size() != 1 || std::ranges::find(r.targets, seat) == r.targets.end()) continue;
+    const SceneObject* counter = scene.find_object(r.references.front());
+    if (counter != nullptr && catalog.entry_or_nearest(counter->category).is(Trait::kCounter)) return counter;
+  }
+  return nullptr;
+}
 
 std::size_t fill_rows(SceneGraph& scene, const SceneGraph& sized, const std::vector<Lining>& linings, const Catalog& catalog) {
   return OpenRows(scene, sized, catalog).run(linings);

@@ -56,6 +56,11 @@ TEST(OpenRows, SeatsAlongTheWallsAreSharedOut) {
   EXPECT_GE(at_wall(room, "wall2"), 4);
 }
 
+TEST(OpenRows, StoolsBeforeABarAreAsManyAsSitThere) {
+  EXPECT_GE(count_of(filled("A tavern with a bar 3 m long and stools in front of it."), "bar_stool"), 4);
+  EXPECT_EQ(count_of(filled("A tavern with a bar 3 m long and two stools in front of it."), "bar_stool"), 2);
+}
+
 TEST(OpenRows, ALibraryIsFullOfShelves) {
   EXPECT_GE(count_of(filled("A library, 8 x 7 m, with bookshelves and two reading tables."), "bookshelf"), 12);
   EXPECT_LE(count_of(filled("A bedroom, 5 x 4 m, with bookshelves and a bed."), "bookshelf"), 2);

@@ -16,6 +16,19 @@ struct Style {
   bool worktop = false;  // the board on top is one
 };
 
+// The doors of an open cupboard: the outer ones stand at a right angle to its front, as wide as one of them.
+void swung_doors(Piece& p, const Carcass& c) {
+  constexpr double kLeaf = 0.02, kHandle = 0.012;
+  const double face = c.box.min.y, wide = c.box.size().x / std::max(c.doors, 1);
+  for (const double side : {-1.0, 1.0}) {
+    if (side > 0 && c.doors < 2) continue;
+    const double hinge = side < 0 ? c.box.min.x : c.box.max.x, inner = hinge - side * kLeaf, held = face - wide + 0.06;
+    p.add(c.front, box(sides(std::min(hinge, inner), std::max(hinge, inner), face - wide, face, c.box.min.z, c.box.max.z), 0.003));
+    const double z = (c.box.min.z + c.box.max.z) / 2;
+    p.add(c.handles, rod({hinge + side * kHandle, held, z - 0.06}, {hinge + side * kHandle, held, z + 0.06}, 0.006, 8));
+  }
+}
+
 void cabinet_of(Piece& p, const Style& style) {
   const int body = p.painted_frame(style.body);
   const int front = p.color_asked() ? p.main(style.front) : style.front == style.body ? body : p.frame(style.front);
@@ -45,7 +58,10 @@ void cabinet_of(Piece& p, const Style& style) {
     c.box.min.x += 0.004;
     c.box.max.x -= 0.004;
   }
+  const bool open = has_spaces && p.says("open") && c.doors > 0 && c.drawers == 0;
+  c.closed_fronts = c.closed_fronts && !open;
   carcass(p, c);
+  if (open) swung_doors(p, c);
 }
 
 void nightstand(Piece& p) { cabinet_of(p, {"oak", "oak", "brass", 0.1, p.count("doors", 0) > 0 ? 0 : 2, 0}); }

@@ -6,6 +6,7 @@
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/word_sets.h"
+#include "layoutbox/plan/open_rows.h"
 #include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox::offline {
@@ -20,10 +21,11 @@ class Linings {
     std::vector<Lining> found;
     for (const Mention& mention : document_.mentions) {
       if (!mention.introduces || mention.items.empty() || mention.noun.kind != NounKind::kObject) continue;
-      if (!lines_walls(mention) && !fills_room(mention)) continue;
+      const bool counter = sits_at_counter(mention);
+      if (!counter && !lines_walls(mention) && !fills_room(mention)) continue;
       Lining& lining = found.emplace_back();
       for (const int item : mention.items) lining.ids.push_back(object(item).id);
-      lining.open = is_open(mention.noun);
+      lining.open = counter || is_open(mention.noun);
     }
     return found;
   }
@@ -49,6 +51,13 @@ class Linings {
         return says_lining(r) && std::ranges::find(r.targets, object(item).id) != r.targets.end();
       });
     });
+  }
+
+  // "a long bar with stools in front": nobody counts them.
+  bool sits_at_counter(const Mention& mention) const {
+    const NounPhrase& noun = mention.noun;
+    if (!noun.plural || noun.count > 0 || noun.vague || !is_seat(lexicon_.catalog(), noun)) return false;
+    return std::ranges::all_of(mention.items, [&](int item) { return counter_of(scene_, lexicon_.catalog(), object(item).id) != nullptr; });
   }
 
   // "a library with bookshelves": of nothing is said where they are, and such rooms are full of them.
