@@ -1,6 +1,7 @@
 // Links between mentions become relations: who is placed by what, alone, in groups and at parts of the room.
 #include <algorithm>
 
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"

@@ -3,6 +3,7 @@
 
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
 
 namespace layoutbox::offline {
