@@ -40,8 +40,10 @@ void Piece::light(Vec position, double watts, double radius) {
   light.watts = static_cast<float>(watts);
   light.radius = static_cast<float>(radius);
   // "A red emergency light", "blue neon": what is called a light shines in the colour that is said of it; a lamp has a shade of it.
-  const std::string name = lower_words(object_.name);
-  if (wish_.color && (name.find("light") != std::string::npos || name.find("neon") != std::string::npos)) {
+  const std::string& name = object_.name;
+  const bool shines =
+      name.ends_with("light") || name.ends_with("lights") || name.ends_with("lighting") || name.find("neon") != std::string::npos;
+  if (wish_.color && shines) {
     constexpr float kColored = 3;  // to be seen beside the daylight
     light.color = *wish_.color;
     light.watts *= kColored;
