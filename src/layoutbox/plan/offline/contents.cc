@@ -132,6 +132,13 @@ void RelationBuilder::add_hung_content(const Link& link, const Mention& target, 
   const NounPhrase &host = noun_of_item(hosts.front()), &thing = target.noun;
   const auto is_host = [&](const std::string& kind) { return host.entry != nullptr && catalog_.is_a(host.entry->id, kind); };
   if (thing.entry != nullptr && std::ranges::any_of(thing.entry->stands_on, is_host)) return share_out(link, R::kIn, target.items, hosts);
+  // "a nightstand with a clock": such a thing has a kind that stands there
+  const auto small_kind = [&](const CatalogEntry& kind) {
+    return kind.mount == Mount::kSurface && catalog_.is_a(kind.id, thing.entry->id) && std::ranges::any_of(kind.stands_on, is_host);
+  };
+  const bool wall =
+      thing.entry != nullptr && mount_of(thing) == Mount::kWall && thing.name == thing.head && !thing.entry->is(Trait::kMirror);
+  if (wall && std::ranges::any_of(catalog_.entries(), small_kind)) return share_out(link, R::kOn, target.items, hosts);
   const bool beside = thing.entry != nullptr && (mount_of(thing) == Mount::kCeiling ? thing.entry->is(Trait::kCurtain)
                                                                                     : std::ranges::any_of(thing.entry->beside, is_host));
   if (!link.after_comma && mount_of(host) == Mount::kFloor) share_out(link, beside ? R::kNextTo : R::kAbove, target.items, hosts);

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "layoutbox/plan/offline/noun_phrase_parts.h"
 #include "layoutbox/plan/offline/splice.h"
 #include "layoutbox/plan/offline/word_sets.h"
 

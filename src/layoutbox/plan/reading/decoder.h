@@ -187,6 +187,7 @@ class Decoder {
   bool is_told_on_floor(const State& state, int subject) const;
   double antecedent_place_score(const State& state, Referent referent, Referent subject, const PhraseSenses& senses,
                                 const NounPhrase* noun) const;
+  double standing_score(const State& state, Referent referent, Referent subject, const PhraseSenses& senses) const;
   bool is_of_one_group(const State& state, Referent group, Referent subject, const NounPhrase* noun) const;
   int things_of(const State& state, Referent referent, bool list) const;
   bool consider(std::vector<Candidate>& all, const State& state, Referent referent, double order, Referent subject,

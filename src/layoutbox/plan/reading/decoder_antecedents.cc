@@ -128,13 +128,22 @@ double Decoder::antecedent_place_score(const State& state, Referent referent, Re
   const bool unsaid = noun != nullptr && noun->head.empty();
   if (before && unsaid && subject >= 0 && referent == owner && stands(target) && stands(meant)) score += weight::kOwnHost;
   if (before && has_it && small && is_table(lexicon_.catalog(), meant)) score += weight::kBeforeHost;
+  return score + standing_score(state, referent, subject, senses);
+}
+
+// … by whether the two stand, lie or hang.
+double Decoder::standing_score(const State& state, Referent referent, Referent subject, const PhraseSenses& senses) const {
+  const NounPhrase &target = noun_of(state, subject), &meant = noun_of(state, referent);
+  double score = 0;
   // "a statue on the floor beside it": beside what stands there, not what lies on a counter.
+  const bool small = mount_of(target) == Mount::kSurface, lies = says(senses, &RelationTraits::rests);
   const bool laid_down = small && !lies && subject >= 0 && is_told_on_floor(state, subject);
   if (laid_down && meant.kind == NounKind::kObject)
     score += mount_of(meant) == Mount::kSurface ? weight::kNotBeside - weight::kSmallTogether : -weight::kNotBeside;
   // What lies on the floor or on something else is seldom what one places things by.
   if (mount_of(target) == Mount::kFloor && !stands(meant)) score -= 0.8;
   // "a sofa, over which a map hangs, …; a table in front of it": of the sofa.
+  const bool before = says(senses, RelationType::kInFrontOf) || says(senses, RelationType::kBehind);
   const bool looked_into = meant.entry != nullptr && meant.entry->is(Trait::kMirror);
   if (before && mount_of(target) == Mount::kFloor && mount_of(meant) == Mount::kWall && !looked_into) score += weight::kNotBeside;
   return score;

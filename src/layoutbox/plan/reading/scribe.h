@@ -78,6 +78,7 @@ class Scribe {
   void fill_reference(int u, int mention);
   void fill_content(int u, int mention);
   void fill_root(int u, int mention);
+  void grow_fronted(int p, int mention);
   bool takes_other_side(const std::vector<int>& targets);
   void add_named_contents(int u, int host);
   void seat_at_its(int u, int mention);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/reading/scribe.h"
 
@@ -81,8 +82,7 @@ void Scribe::complete_pair(int u, Link& link) {
   const bool them = several && document_.tokens[chunk(u).last - 1].text == "them";
   const int other = them ? -1 : looked_at_by(link.references.front(), link.targets);
   if (other >= 0) link.references.push_back(other);
-  int pair = other < 0 && !several ? pair_just_related() : -1;
-  if (pair < 0 && other < 0 && !several) pair = pair_looking();
+  const int pair = other < 0 && !several ? pair_just_related() : -1;
   if (pair >= 0) link.references = {pair};
   // "A sofa at the back wall and a TV at the front wall. Between is a table."
   const bool of_before = other < 0 && pair < 0 && !several && link.references.front() < sentence_mentions_;

@@ -36,7 +36,7 @@ int Scribe::pair_just_related() {
     if (mount != mount_of(other.noun) || (mount != Mount::kFloor && mount != Mount::kSurface)) continue;
     return combined({link.targets.front(), link.references.front()});
   }
-  return -1;
+  return pair_looking();
 }
 
 // "A sofa faces a TV; between the two is a table": the last two single things of which one looks at the other, or -1.
@@ -98,7 +98,6 @@ int Scribe::antecedent_of(int u) {
     if (const std::vector<int> two = two_alike(u, !each_of_them); two.size() == 2 && own.predicate < 0) return combined(two);
     if (const int pair = pair_of_a_name(); pair >= 0) return pair;
     if (const int pair = pair_just_related(); pair >= 0) return pair;
-    if (const int pair = pair_looking(); pair >= 0) return pair;
     // The last two things that were spoken of.
     if (so_far_.roots.size() > 1) return combined({so_far_.roots[so_far_.roots.size() - 2], so_far_.roots.back()});
   }

@@ -169,6 +169,22 @@ void Scribe::place_with_zone(const std::vector<int>& hosts, int index) {
   if (placed && zone.wall_word.empty() && !said) link_at(index).senses.clear();
 }
 
+// As many as the place at p, which comes first, has of them.
+void Scribe::grow_fronted(int p, int mention) {
+  const int at = link_[static_cast<std::size_t>(p)];
+  Link& waiting = link_at(at);
+  if (waiting.each) grow_for_sides(waiting, mention, waiting.references.empty() ? -1 : waiting.references.front());
+  const std::vector<int> references = waiting.references;
+  for (const int reference : references) {
+    const NounPhrase wall = noun_of(reference);
+    if (is(p + 1, UnitKind::kNoun)) imply_opposite(p + 1, wall, at);
+    grow_for_corners(noun_of(reference), mention);
+    const bool on_all = chunk(p + 1).noun.determiner == Determiner::kBoth && says(link_at(at).senses, RelationType::kOn) &&
+                        noun_of(mention).determiner == Determiner::kIndefinite;  // "on both tables stands a lamp"
+    if (mention_at(reference).distributes || on_all) grow_for_each(mention, reference);
+  }
+}
+
 void Scribe::fill_root(int u, int mention) {
   const NounKind kind = noun_of(mention).kind;
   const bool opening = kind == NounKind::kDoor || kind == NounKind::kWindow;  // "on the right wall is a window"
@@ -189,18 +205,7 @@ void Scribe::fill_root(int u, int mention) {
     }
     if (chunk(u).noun.subset && !waiting.targets.empty()) continue;  // "…, one of which holds a lamp"
     waiting.targets.push_back(mention);
-    if (opening) continue;
-    if (waiting.each) grow_for_sides(waiting, mention, waiting.references.empty() ? -1 : waiting.references.front());
-    const std::vector<int> references = waiting.references;
-    const int at = link_[static_cast<std::size_t>(p)];
-    for (const int reference : references) {
-      const NounPhrase wall = noun_of(reference);
-      if (is(p + 1, UnitKind::kNoun)) imply_opposite(p + 1, wall, at);
-      grow_for_corners(noun_of(reference), mention);
-      const bool on_all = chunk(p + 1).noun.determiner == Determiner::kBoth && says(link_at(at).senses, RelationType::kOn) &&
-                          noun_of(mention).determiner == Determiner::kIndefinite;  // "on both tables stands a lamp"
-      if (mention_at(reference).distributes || on_all) grow_for_each(mention, reference);
-    }
+    if (!opening) grow_fronted(p, mention);
   }
   for (int v = 0; v < u; ++v) {
     if (!is(v, UnitKind::kVerb) || !chunk(v).hang) continue;
