@@ -223,6 +223,16 @@ TEST(Dress, SomeRowsAreForWhatTheTextSays) {
   EXPECT_THAT(mat("a bathroom with a bathtub, for my mother who uses a walker"), Not(Contains("bath_mat")));
 }
 
+TEST(Dress, WhoNamesManyThingsGetsNoClockBesides) {
+  DressedRoom few("office", 5, 4);
+  few.put("desk", 2.5, 3.6, 180);
+  EXPECT_THAT(few.dress(), Contains("calendar"));
+  DressedRoom many("office", 5, 4);
+  many.put("desk", 2.5, 3.6, 180).put("office_chair", 2.5, 2.8, 0).put("armchair", 4.3, 0.6, 90).put("sofa", 4.4, 2.4, 90);
+  many.put("bookshelf", 0.4, 3.7, 180).put("printer", 2.5, 3.6, 0).put("trash_can", 1.4, 3.7, 0);
+  EXPECT_THAT(many.dress(), Not(Contains(testing::AnyOf("calendar", "clock", "whiteboard"))));
+}
+
 TEST(Dress, TheDataNamesWhatIsThere) {
   const auto exists = [](const std::string& kind) { return catalog().find(kind) != nullptr; };
   for (const Dressing& row : Dressings::builtin().rows) {
