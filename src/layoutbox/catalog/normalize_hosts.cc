@@ -106,13 +106,16 @@ Mm seat_width(const Catalog& catalog, const ById& by_id, const std::vector<std::
   return width;
 }
 
-// Where the room is small, or far fewer sit there than could, a table whose size nobody gave is no larger than it must be.
+// Where the room is small or has many such tables, or far fewer sit there than could, a table whose size nobody gave is no larger than it
+// must be.
 void shrink_for_room(const NormalizeContext& context, int seats, const SizeForSeats& wanted, SceneObject& host) {
   constexpr double kSmallRoom = 15e6;  // mm²
   const Room& room = context.scene.room;
   const double area = room.area_m2 ? *room.area_m2 * 1e6 : room.polygon.empty() ? 0 : double(doubled_area(room.polygon)) / 2;
   const bool few = seats <= 2 || 4 * wanted.width <= 3 * host.size->usual.width;
-  const bool small = (area > 0 && area < kSmallRoom) || room_size_factor(room.size_word) < 1 || few;
+  constexpr std::ptrdiff_t kMany = 3;
+  const bool many = std::ranges::count(context.scene.objects, host.category, &SceneObject::category) >= kMany;
+  const bool small = many || (area > 0 && area < kSmallRoom) || room_size_factor(room.size_word) < 1 || few;
   if (!small || host.size_source != SizeSource::kCatalog || std::ranges::any_of(host.attributes, is_size_word)) return;
   for (Size* size : {&host.size->usual, &host.size->least}) {
     size->width = std::min(size->width, wanted.width);
