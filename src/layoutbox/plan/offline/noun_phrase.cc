@@ -77,6 +77,16 @@ void NounPhraseReader::settle_heap(const PhrasePart& head) {
   phrase_.plural = phrase_.count > 1;
 }
 
+// "some big painting", "any table": one of it, and "lots of worktop" is a long one. "Some fruit" and "some storage" are as many as may be.
+void NounPhraseReader::settle_vague(const PhrasePart& head) {
+  if (!phrase_.vague || phrase_.plural || phrase_.entry == nullptr) return;
+  const bool of_many = one_of(phrase_.head, WordSet::kStuff);
+  const bool furniture = phrase_.entry->mount != Mount::kSurface && head.last == head.first + 1 && !of_many;
+  if (!phrase_.entry->is(Trait::kCounter) && !(furniture && tokens_[phrase_.first].text == "some")) return;
+  phrase_.count = 1;
+  phrase_.vague = false;
+}
+
 void NounPhraseReader::settle_kind(const PhrasePart& head, std::size_t head_index) {
   phrase_.kind = NounKind::kObject;
   phrase_.plural = head.plural;
@@ -102,18 +112,7 @@ void NounPhraseReader::settle_kind(const PhrasePart& head, std::size_t head_inde
     }
   }
   if (phrase_.determiner == Determiner::kIndefinite && phrase_.count == 0) phrase_.plural = false;  // "a box of tissues"
-  // "some big painting", "any table": one of it. "Some fruit" and "some storage" are as many as may be.
-  const bool of_many = one_of(phrase_.head, WordSet::kStuff);
-  const bool furniture = phrase_.entry != nullptr && phrase_.entry->mount != Mount::kSurface && head.last == head.first + 1 && !of_many;
-  if (phrase_.vague && !phrase_.plural && furniture && tokens_[phrase_.first].text == "some") {
-    phrase_.count = 1;
-    phrase_.vague = false;
-  }
-  // "lots of worktop": a long one.
-  if (phrase_.vague && !phrase_.plural && phrase_.entry != nullptr && phrase_.entry->is(Trait::kCounter)) {
-    phrase_.count = 1;
-    phrase_.vague = false;
-  }
+  settle_vague(head);
   // A row has three, of several rows each two, where no number is said.
   if (phrase_.rows > 0 && phrase_.count == 0) phrase_.vague = true;
   if (phrase_.rows > 0) phrase_.count = phrase_.rows * (phrase_.count > 0 ? phrase_.count : phrase_.rows == 1 ? 3 : 2);
