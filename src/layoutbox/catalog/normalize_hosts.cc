@@ -193,6 +193,25 @@ void narrow_screens(SceneGraph& scene, const Contents& contents, Mm width) {
   }
 }
 
+// Seats along a table, across from what sits at its other side, are side by side: the table is as long as that takes.
+void seat_at_one_side(const SceneGraph& scene, std::map<std::string, Contents>& hosts) {
+  std::map<std::string, std::string> table_of;  // by seat
+  for (const Relation& r : scene.relations) {
+    if (r.type != RelationType::kAlongSide || r.references.size() != 1) continue;
+    for (const std::string& seat : r.targets) table_of[seat] = r.references[0];
+  }
+  for (const Relation& r : scene.relations) {
+    const auto table = r.type == RelationType::kOpposite && r.references.size() == 1 ? table_of.find(r.references[0]) : table_of.end();
+    if (table == table_of.end()) continue;
+    const auto count = std::ranges::count_if(r.targets, [&](const std::string& seat) {
+      const auto own = table_of.find(seat);
+      return own != table_of.end() && own->second == table->second;
+    });
+    Contents& contents = hosts[table->second];
+    contents.front = std::max(contents.front, static_cast<Mm>(count) * kSeatWidth);
+  }
+}
+
 void fold_over_seats(const Catalog& catalog, SceneGraph& scene) {
   for (const Relation& relation : scene.relations) {
     if (relation.type != RelationType::kOn || relation.references.size() != 1) continue;
@@ -236,6 +255,7 @@ void normalize_hosts(NormalizeContext& context) {
     }
   }
   share_out_seats(context, hosts, by_id);
+  seat_at_one_side(scene, hosts);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     SceneObject& host = scene.objects[i];
     const auto found = hosts.find(host.id);

@@ -38,6 +38,18 @@ TEST(NormalizeHosts, GrowBeyondTheirRangeWhereThatIsEnough) {
   EXPECT_LE(width, 2400);
 }
 
+TEST(NormalizeHosts, SeatsAcrossFromAnotherStandSideBySide) {
+  std::vector<SceneObject> objects{object("desk_1", "desk"), object("bench_1", "nightstand")};
+  std::vector<Relation> relations{relation(RelationType::kAlongSide, {"bench_1"}, {"desk_1"}),
+                                  relation(RelationType::kOpposite, {}, {"bench_1"})};
+  for (const char* seat : {"seat_1", "seat_2"}) {
+    objects.push_back(object(seat, "nightstand"));
+    relations.push_back(relation(RelationType::kAlongSide, {seat}, {"desk_1"}));
+    relations[1].targets.push_back(seat);
+  }
+  EXPECT_GE(normalized(scene_of(objects, relations)).find_object("desk_1")->size->usual.width, 1240);
+}
+
 TEST(NormalizeHosts, ASizeThatWasGivenStays) {
   SceneObject desk = object("desk_1", "desk");
   desk.size = SizeRange{{1000, 500, 750}, {1000, 500, 750}, {1000, 500, 750}};

@@ -5,6 +5,7 @@
 
 #include "layoutbox/catalog/normalize_steps.h"
 #include "layoutbox/catalog/opening_look.h"
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/scene/relation_traits.h"
 #include "layoutbox/scene/shell.h"
 

@@ -91,10 +91,14 @@ void RelationBuilder::sit_across_table() {
     if (said_along(r) && r.references == first->references && object_of(r.targets[0])->category != kind) others.push_back(r.targets[0]);
   }
   if (others.empty() || !is_seat(catalog_, noun_of_object(*object_of(seat)))) return;
-  add_habit(R::kOpposite, std::move(others), {seat}, kTogether, "they sit at both sides of the table");
-  scene_.relations.back().parameters.min = 300;
-  scene_.relations.back().origin = Origin::kConcluded;
-  scene_.relations.back().hard = true;
+  const auto conclude = [&](R type, std::vector<std::string> references) {
+    add_habit(type, others, std::move(references), kTogether, "they sit at both sides of the table");
+    scene_.relations.back().origin = Origin::kConcluded;
+    scene_.relations.back().hard = true;
+  };
+  if (others.size() > 1) conclude(R::kRow, {});
+  conclude(R::kOpposite, {seat});
+  scene_.relations.back().parameters.min = 0;  // both may be pushed under it
 }
 
 // "on the other side of the bed is a nightstand": beside it, where the thing on its first side is not. False: the phrase does not say so.
