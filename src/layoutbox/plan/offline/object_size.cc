@@ -49,6 +49,13 @@ SaidSize settled(const NounPhrase& noun, const CatalogEntry& entry) {
   if (size.length) (usual.depth > usual.width ? size.depth : size.width) = size.length;
   if (is_as_wide_as_deep(noun) && size.width.has_value() != size.depth.has_value())
     size.width = size.depth = size.width ? size.width : size.depth;
+  // "a mirror 60 x 90 cm", "a poster of 50 x 70": what hangs flat on a wall has a width and a height.
+  constexpr Mm kFlat = 150;
+  const bool flat = (entry.mount == Mount::kWall || entry.mount == Mount::kHung) && usual.depth <= kFlat && usual.height > usual.depth;
+  if (size.either && flat && size.depth && !size.height) {
+    std::swap(size.height, size.depth);
+    size.either = false;
+  }
   const bool turned =
       size.either && size.width && size.depth && usual.width != usual.depth && (*size.width > *size.depth) != (usual.width > usual.depth);
   if (turned) std::swap(size.width, size.depth);

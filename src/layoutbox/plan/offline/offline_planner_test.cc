@@ -108,6 +108,10 @@ TEST_F(OfflinePlannerTest, SizesOfThingsInTheirUsualForms) {
   EXPECT_EQ(usual("A desk of at least 1.6 m width.").width, 1600);
   EXPECT_EQ(usual("A 1m20 wide desk.").width, 1200);
   EXPECT_EQ(usual("Desk (140 cm), bed.").width, 1400);
+  EXPECT_EQ(usual("A fold-down table 80x60, two chairs.").width, 800);
+  EXPECT_EQ(usual("A 60 x 90 cm mirror.").height, 900);
+  EXPECT_EQ(usual("A 50x70 poster.").width, 500);
+  EXPECT_EQ(usual("A wall shelf 80 x 25 cm.").depth, 250);
   for (const char* text : {"A desk 140cm x 60cm, a bed.", "A 140cm x 60cm desk.", "A desk 140 cm x 60 cm under the window.",
                            "Desk 1.4m by 0.6m by the window."}) {
     EXPECT_EQ(usual(text).width, 1400) << text;

@@ -92,11 +92,19 @@ class SizeReader {
     for (const Named& name : std::views::reverse(named)) {
       if (has_class(name.match, Class::kRoom) || has_class(name.match, Class::kRoomNoun)) return !fits_thing_before(name.at, sides);
       const bool for_thing = sides.size() >= 2 && sides[0] * sides[1] < smallest;  // "a mat of 2 x 1.5 m"
-      if (has_class(name.match, Class::kObject) && (for_thing || !beyond(name.match, sides))) return false;
+      const bool in_centimetres = name.at + name.match.length == first && says_centimetres(first);
+      if (has_class(name.match, Class::kObject) && (for_thing || in_centimetres || !beyond(name.match, sides))) return false;
       if ((has_class(name.match, Class::kWindow) || has_class(name.match, Class::kDoor)) && !no_opening)
         return false;  // "a wall's windows, each 1.5 m wide"
     }
     return size_.width == 0 && (first < kEarly || too_large_for_last_thing(begin, sides, smallest));
+  }
+
+  // "a table 80x60": of a thing no feet.
+  bool says_centimetres(std::size_t at) const {
+    constexpr double kFewest = 30;
+    const SidesRead read = read_sides(lexicon_, tokens_, at);
+    return !read.united && !read.numbers.empty() && *std::ranges::min_element(read.numbers) >= kFewest;
   }
 
   // "Leave an open space of 6 by 8 for stretching": a part of the floor.
