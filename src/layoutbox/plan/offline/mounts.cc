@@ -91,6 +91,7 @@ void RelationBuilder::settle_stands() {
     const auto host = std::ranges::find(scene_.objects, on.references[0], &SceneObject::id);
     if (guest == nullptr || guest->stands_on.empty() || host == scene_.objects.end()) continue;
     const std::string& usual = guest->stands_on.front();
+    if (std::ranges::find(guest->stands_on, host->category) != guest->stands_on.end()) continue;  // a microphone on a plain desk
     const bool for_short = usual.ends_with("_" + host->category) && !catalog_.is_a(usual, host->category);
     if (for_short && catalog_.find(usual) != nullptr) host->category = usual;
   }
