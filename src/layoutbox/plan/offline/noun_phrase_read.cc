@@ -6,6 +6,7 @@
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/english.h"
+#include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
 #include "layoutbox/plan/offline/word_sets.h"
 
