@@ -293,6 +293,7 @@ TEST_F(OfflinePlannerTest, WallsAndFloorsHaveTheFinishesSaidBehindThem) {
   EXPECT_EQ(read.room.wall_material, "sage green");
   EXPECT_EQ(read.room.floor_material, "oak floor");
   EXPECT_EQ(scene("A study with a desk. Walls: white, floor: oak.").room.wall_material, "white");
+  EXPECT_EQ(scene("A kitchen for my mum, everything low, red tiles, a step stool").room.wall_material, "red tiles");
   EXPECT_EQ(scene("A room with pictures on the walls and a red sofa.").room.wall_material, "");
 }
 
