@@ -287,6 +287,16 @@ TEST_F(OfflinePlannerTest, WhatStandsAlongAWholeWallIsAsLongAsIt) {
   EXPECT_NEAR(read.objects[0].size->usual.width, 3000, 50);
 }
 
+TEST_F(OfflinePlannerTest, WallsAndFloorsHaveTheFinishesSaidBehindThem) {
+  EXPECT_EQ(scene("A guest room with a bed. Walls pale blue. Ceiling 2.5 m.").room.wall_material, "pale blue");
+  const SceneGraph read = scene("A study with a desk, walls in sage green, floor oak");
+  EXPECT_EQ(read.room.wall_material, "sage green");
+  EXPECT_EQ(read.room.floor_material, "oak floor");
+  EXPECT_EQ(scene("A study with a desk. Walls: white, floor: oak.").room.wall_material, "white");
+  EXPECT_EQ(scene("A kitchen for my mum, everything low, red tiles, a step stool").room.wall_material, "red tiles");
+  EXPECT_EQ(scene("A room with pictures on the walls and a red sofa.").room.wall_material, "");
+}
+
 TEST_F(OfflinePlannerTest, OfSeveralEachHasTheColorThatIsSaidOfIt) {
   const SceneGraph three = scene("Three cushions: one red, one green and one blue.");
   ASSERT_EQ(three.objects.size(), 3u);

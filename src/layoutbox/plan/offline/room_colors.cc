@@ -48,6 +48,27 @@ Scheme scheme_at(const Lexicon& lexicon, const std::vector<Token>& tokens, std::
   return scheme;
 }
 
+// "Walls pale blue.", "walls: sage green, floor: oak": what comes right behind the noun, and nothing else before the clause ends.
+Scheme finish_after(const Lexicon& lexicon, const std::vector<Token>& tokens, std::size_t at, bool floor) {
+  const std::size_t from = at < tokens.size() && is_one_of(tokens[at], {"in", ":"}) ? at + 1 : at;
+  Scheme finish;
+  std::string said;
+  std::size_t i = from;
+  const auto is_shade = [&] { return is_one_of(tokens[i], {"light", "dark", "pale", "soft", "bright", "deep", "warm"}); };
+  bool known = false;
+  for (std::size_t length = 1; i < tokens.size() && length > 0; i += length) {
+    length = lexicon.find(tokens, i, floor ? WordClass::kMaterial : WordClass::kColor).length;
+    known |= length > 0;
+    if (length == 0 && !known && is_shade()) length = 1;
+    for (std::size_t w = i; w < i + length; ++w) said += (said.empty() ? "" : " ") + tokens[w].text;
+  }
+  const bool over = i >= tokens.size() || tokens[i].kind == Token::Kind::kPunctuation || is_one_of(tokens[i], {"and", "with"});
+  if (!known || !over) return finish;
+  (floor ? finish.floor : finish.walls) = said;
+  finish.length = i - at;
+  return finish;
+}
+
 bool ends(const std::vector<Token>& tokens, std::size_t at) { return at >= tokens.size() || tokens[at].ends_sentence; }
 
 void use(Document& document, std::size_t first, std::size_t last) {
@@ -118,6 +139,14 @@ void read_room_colors(const Lexicon& lexicon, Document& document, Room& room) {
       if (!scheme.walls.empty() && over) {
         take(scheme);
         use(document, at, end);
+      }
+    }
+    const bool of_walls = chunk.noun.kind == NounKind::kWall && chunk.noun.plural && chunk.noun.wall_word.empty();
+    if (of_walls || chunk.noun.kind == NounKind::kFloor) {
+      const Scheme finish = finish_after(lexicon, tokens, at, !of_walls);
+      if (finish.length > 0) {
+        take(finish);
+        use(document, at, at + finish.length);
       }
     }
     const bool own = chunk.first == 0 || tokens[chunk.first - 1].kind == Token::Kind::kPunctuation;

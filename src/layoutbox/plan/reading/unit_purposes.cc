@@ -254,6 +254,8 @@ bool UnitReader::purpose_ends(std::size_t k, std::size_t n) const {
   if (!comma) return false;
   // "a hall for a game, entrance south"
   if (is_opening(noun)) return true;
+  // "a kitchen for my mum, red tiles"
+  if ((noun.kind == NounKind::kWall || noun.kind == NounKind::kFloor) && !noun.attributes.empty()) return true;
   // "…, hooks for coats", "…, shelves with files": what has a purpose or things of its own
   const bool own =
       is(next(n), ChunkKind::kHave) || (is(next(n), ChunkKind::kPurpose) && document_.tokens[chunk(next(n)).first].text == "for");
