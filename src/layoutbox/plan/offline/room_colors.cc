@@ -100,6 +100,75 @@ bool is_floor_by_company(const Document& document, std::size_t k) {
   return (joins(k + 1) && is_wall(k + 2)) || (k >= 2 && joins(k - 1) && is_wall(k - 2));
 }
 
+// What the text says of the room's walls and floor, where no noun phrase has it already.
+class RoomColors {
+ public:
+  RoomColors(const Lexicon& lexicon, Document& document, Room& room) : lexicon_(lexicon), document_(document), room_(room) {}
+
+  void run() {
+    for (std::size_t i = 0; i < document_.tokens.size(); ++i) {
+      if (i == 0 || document_.tokens[i - 1].ends_sentence) read_sentence(i);
+    }
+    for (const Chunk& chunk : document_.chunks) {
+      if (chunk.kind != ChunkKind::kNoun) continue;
+      read_after_room(chunk);
+      read_finish_after(chunk);
+      read_tiles(chunk);
+    }
+  }
+
+ private:
+  void take(const Scheme& scheme, std::size_t first, std::size_t last) {
+    if (room_.wall_material.empty()) room_.wall_material = scheme.walls;
+    if (room_.floor_material.empty() && !scheme.floor.empty()) room_.floor_material = scheme.floor + " floor";
+    use(document_, first, last);
+  }
+
+  // "White and oak." is a sentence.
+  void read_sentence(std::size_t first) {
+    const Scheme scheme = scheme_at(lexicon_, document_.tokens, first);
+    if (!scheme.walls.empty() && ends(document_.tokens, first + scheme.length)) take(scheme, first, first + scheme.length);
+  }
+
+  // "A den in teal and white with …"
+  void read_after_room(const Chunk& chunk) {
+    const std::vector<Token>& tokens = document_.tokens;
+    const std::size_t at = chunk.last;
+    if (chunk.noun.kind != NounKind::kRoom || at + 1 >= tokens.size() || !is_one_of(tokens[at], {"in", "painted"})) return;
+    const Scheme scheme = scheme_at(lexicon_, tokens, at + 1);
+    const std::size_t end = at + 1 + scheme.length;
+    const bool over = ends(tokens, end) || tokens[end - 1].text == "," || is_one_of(tokens[end], {"with", "for"});
+    if (!scheme.walls.empty() && over) take(scheme, at, end);
+  }
+
+  void read_finish_after(const Chunk& chunk) {
+    const bool of_walls = chunk.noun.kind == NounKind::kWall && chunk.noun.plural && chunk.noun.wall_word.empty();
+    if (!of_walls && chunk.noun.kind != NounKind::kFloor) return;
+    const Scheme finish = finish_after(lexicon_, document_.tokens, chunk.last, !of_walls);
+    if (finish.length > 0) take(finish, chunk.last, chunk.last + finish.length);
+  }
+
+  // "Green tiles." are on the walls, "green tiles on the floor" there.
+  void read_tiles(const Chunk& chunk) {
+    const std::vector<Token>& tokens = document_.tokens;
+    const std::string tiles = tiles_said(chunk.noun);
+    if (tiles.empty()) return;
+    const std::size_t at = chunk.last;
+    const bool own = chunk.first == 0 || tokens[chunk.first - 1].kind == Token::Kind::kPunctuation;
+    if (at + 2 < tokens.size() && tokens[at].text == "on" && tokens[at + 2].text == "floor") {
+      if (room_.floor_material.empty()) room_.floor_material = tiles + " floor";
+      use(document_, chunk.first, at + 3);
+    } else if (own && room_.wall_material.empty()) {
+      room_.wall_material = tiles;
+      use(document_, chunk.first, at);
+    }
+  }
+
+  const Lexicon& lexicon_;
+  Document& document_;
+  Room& room_;
+};
+
 }  // namespace
 
 void settle_floor_carpets(Document& document) {
@@ -116,51 +185,6 @@ void settle_floor_carpets(Document& document) {
   }
 }
 
-void read_room_colors(const Lexicon& lexicon, Document& document, Room& room) {
-  const std::vector<Token>& tokens = document.tokens;
-  const auto take = [&](const Scheme& scheme) {
-    if (room.wall_material.empty()) room.wall_material = scheme.walls;
-    if (room.floor_material.empty() && !scheme.floor.empty()) room.floor_material = scheme.floor + " floor";
-  };
-  for (std::size_t i = 0; i < tokens.size(); ++i) {
-    if (i > 0 && !tokens[i - 1].ends_sentence) continue;
-    const Scheme scheme = scheme_at(lexicon, tokens, i);
-    if (scheme.walls.empty() || !ends(tokens, i + scheme.length)) continue;
-    take(scheme);
-    use(document, i, i + scheme.length);
-  }
-  for (const Chunk& chunk : document.chunks) {
-    if (chunk.kind != ChunkKind::kNoun) continue;
-    const std::size_t at = chunk.last;
-    if (chunk.noun.kind == NounKind::kRoom && at + 1 < tokens.size() && is_one_of(tokens[at], {"in", "painted"})) {
-      const Scheme scheme = scheme_at(lexicon, tokens, at + 1);
-      const std::size_t end = at + 1 + scheme.length;
-      const bool over = ends(tokens, end) || tokens[end - 1].text == "," || is_one_of(tokens[end], {"with", "for"});
-      if (!scheme.walls.empty() && over) {
-        take(scheme);
-        use(document, at, end);
-      }
-    }
-    const bool of_walls = chunk.noun.kind == NounKind::kWall && chunk.noun.plural && chunk.noun.wall_word.empty();
-    if (of_walls || chunk.noun.kind == NounKind::kFloor) {
-      const Scheme finish = finish_after(lexicon, tokens, at, !of_walls);
-      if (finish.length > 0) {
-        take(finish);
-        use(document, at, at + finish.length);
-      }
-    }
-    const bool own = chunk.first == 0 || tokens[chunk.first - 1].kind == Token::Kind::kPunctuation;
-    const bool on_floor = at + 2 < tokens.size() && tokens[at].text == "on" && tokens[at + 2].text == "floor";
-    if (const std::string tiles = on_floor ? tiles_said(chunk.noun) : ""; !tiles.empty()) {
-      if (room.floor_material.empty()) room.floor_material = tiles + " floor";
-      use(document, chunk.first, at + 3);
-      continue;
-    }
-    if (const std::string tiles = own ? tiles_said(chunk.noun) : std::string{}; !tiles.empty() && room.wall_material.empty()) {
-      room.wall_material = tiles;
-      use(document, chunk.first, chunk.last);
-    }
-  }
-}
+void read_room_colors(const Lexicon& lexicon, Document& document, Room& room) { RoomColors(lexicon, document, room).run(); }
 
 }  // namespace layoutbox::offline
