@@ -41,6 +41,7 @@ TEST(OpenRows, ShelvesAlongWallsFillThem) {
   EXPECT_GE(count_of(shop, "bookshelf"), 16);
   EXPECT_GE(at_wall(shop, "wall1"), 7);
   EXPECT_GE(at_wall(shop, "wall3"), 9);
+  EXPECT_GE(count_of(filled("A stockroom, 3 x 5 m, with metal shelving on both long walls."), "shelving_unit"), 6);
   EXPECT_GE(count_of(filled("A laboratory, 5 x 4 m, with steel shelving along the back wall."), "shelving_unit"), 4);
 }
 

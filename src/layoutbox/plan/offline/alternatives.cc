@@ -27,6 +27,8 @@ class AlternativeReader : public TokenReader {
   }
 
  private:
+  static constexpr std::size_t kFarthest = 40;  // tokens back: the time stays linear in the text
+
   // "a red or blue chair", "a table in oak or walnut": of two looks the first.
   bool take_look(std::size_t at) {
     const auto looks = [&](std::size_t i) {
@@ -64,7 +66,7 @@ class AlternativeReader : public TokenReader {
 
   // "no TV or sofa", "neither a desk or a table": none of them.
   bool is_denied(std::size_t at) const {
-    while (at-- > 0 && !tokens_[at].ends_sentence) {
+    for (const std::size_t or_at = at; at-- > 0 && at + kFarthest > or_at && !tokens_[at].ends_sentence;) {
       if (is(at, {"no", "not", "without", "neither", "never", "nor", "avoid", "exclude", "skip", "than"})) return true;
     }
     return false;

@@ -207,9 +207,9 @@ void RelationBuilder::leave_window_to_sink() {
   };
   const auto sink = std::ranges::find_if(scene_.relations, is_sink);
   if (sink == scene_.relations.end()) return;
-  const std::string why = sink->why;
+  const Relation of_sink = *sink;
   std::erase_if(scene_.relations, [&](const Relation& r) {
-    return r.type == R::kUnderWindow && r.why == why && r.targets.size() == 1 && stands_in_run(r.targets[0]) && !is_sink(r);
+    return r.type == R::kUnderWindow && words_.are_one(r, of_sink) && r.targets.size() == 1 && stands_in_run(r.targets[0]) && !is_sink(r);
   });
 }
 

@@ -1,10 +1,11 @@
 #include "layoutbox/plan/offline/linings.h"
 
 #include <algorithm>
+#include <ranges>
 
-#include "layoutbox/base/words.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/offline/word_sets.h"
 #include "layoutbox/plan/open_rows.h"
 #include "layoutbox/scene/relation_traits.h"
@@ -19,10 +20,11 @@ class Linings {
 
   std::vector<Lining> find() const {
     std::vector<Lining> found;
-    for (const Mention& mention : document_.mentions) {
+    for (std::size_t m = 0; m < document_.mentions.size(); ++m) {
+      const Mention& mention = document_.mentions[m];
       if (!mention.introduces || mention.items.empty() || mention.noun.kind != NounKind::kObject) continue;
       const bool counter = sits_at_counter(mention);
-      if (!counter && !lines_walls(mention) && !fills_room(mention)) continue;
+      if (!counter && !lines_walls(static_cast<int>(m)) && !fills_room(mention)) continue;
       Lining& lining = found.emplace_back();
       for (const int item : mention.items) lining.ids.push_back(object(item).id);
       lining.open = counter || is_open(mention.noun);
@@ -35,22 +37,24 @@ class Linings {
 
   // "shelves", "shelving": nobody counts them, and they are what stands in rows along a wall.
   bool is_open(const NounPhrase& noun) const {
-    const bool mass = !noun.plural && noun.determiner == Determiner::kNone && noun.head.ends_with("ing");
     const bool stands = noun.entry != nullptr && noun.entry->mount == Mount::kFloor && noun.entry->back_to_wall;
-    return stands && noun.entry->is(Trait::kShelving) && noun.count == 0 && (noun.plural || mass) && !noun.size.any();
+    return stands && noun.entry->is(Trait::kShelving) && noun.count == 0 && (noun.plural || is_uncounted_stuff(noun)) && !noun.size.any();
   }
 
-  bool says_lining(const Relation& r) const {
-    if (r.type != RelationType::kAgainstWall || !r.asked()) return false;
-    return std::ranges::any_of(words_of(r.why), [](const std::string& word) { return one_of(word, WordSet::kLining); });
-  }
-
-  bool lines_walls(const Mention& mention) const {
-    return std::ranges::all_of(mention.items, [&](int item) {
-      return std::ranges::any_of(scene_.relations, [&](const Relation& r) {
-        return says_lining(r) && std::ranges::find(r.targets, object(item).id) != r.targets.end();
-      });
+  bool says_lining(int mention) const {
+    return std::ranges::any_of(document_.links, [&](const Link& link) {
+      const auto lines = [&](std::size_t at) { return one_of(document_.tokens[at].text, WordSet::kLining); };
+      return contains(link.targets, mention) && std::ranges::any_of(std::views::iota(link.first, std::max(link.first, link.last)), lines);
     });
+  }
+
+  bool lines_walls(int at) const {
+    const Mention& mention = document_.mentions[static_cast<std::size_t>(at)];
+    return says_lining(at) && std::ranges::all_of(mention.items, [&](int item) {
+             return std::ranges::any_of(scene_.relations, [&](const Relation& r) {
+               return r.type == RelationType::kAgainstWall && r.asked() && std::ranges::find(r.targets, object(item).id) != r.targets.end();
+             });
+           });
   }
 
   // "a long bar with stools in front": nobody counts them.

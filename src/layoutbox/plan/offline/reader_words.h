@@ -53,6 +53,11 @@ inline bool is_new_here(const NounPhrase& noun) {
 
 inline bool is_opening(const NounPhrase& noun) { return noun.kind == NounKind::kDoor || noun.kind == NounKind::kWindow; }
 
+// "metal shelving", "racking": stuff that nobody counts.
+inline bool is_uncounted_stuff(const NounPhrase& noun) {
+  return !noun.plural && noun.determiner == Determiner::kNone && noun.count == 0 && noun.head.ends_with("ing");
+}
+
 // A wall, a corner, a door …
 inline bool is_part_of_room(const NounPhrase& noun) {
   return noun.kind == NounKind::kWall || noun.kind == NounKind::kCorner || noun.kind == NounKind::kCenter ||

@@ -81,7 +81,7 @@ bool RelationBuilder::add_across_table(const Link& link, const Mention& target, 
 void RelationBuilder::sit_across_table() {
   const auto said_along = [&](const Relation& r) {
     return r.type == R::kAlongSide && r.parameters.side == Side::kLong && r.targets.size() == 1 && r.references.size() == 1 && r.asked() &&
-           r.why.find("one side") != std::string::npos && object_of(r.targets[0]) != nullptr;
+           words_.have_phrase(r, {"one", "side"}) && object_of(r.targets[0]) != nullptr;
   };
   const auto first = std::ranges::find_if(scene_.relations, said_along);
   if (first == scene_.relations.end()) return;

@@ -9,8 +9,6 @@ using R = RelationType;
 
 namespace {
 
-bool is_opening_noun(const NounPhrase& noun) { return noun.kind == NounKind::kDoor || noun.kind == NounKind::kWindow; }
-
 // What the thing is said to be by the opening, where the opening is said to be PHRASE the thing.
 std::optional<R> turned_sense(const PhraseSenses& senses, const NounPhrase& opening) {
   const bool window = opening.kind == NounKind::kWindow;
@@ -30,7 +28,7 @@ void RelationBuilder::add_by_openings(const Link& link) {
   if (items.empty() || link.kind != Link::Kind::kRelation) return;
   for (const int target : link.targets) {
     const NounPhrase& opening = mention(target).noun;
-    if (!mention(target).items.empty() || !is_opening_noun(opening)) continue;
+    if (!mention(target).items.empty() || !is_opening(opening)) continue;
     if (says(link.senses, R::kBetween) && items.size() == 2) {
       add(link, R::kEachSideOf, ids(items), room_reference(opening, R::kEachSideOf));
       continue;

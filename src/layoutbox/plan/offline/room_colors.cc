@@ -15,6 +15,8 @@ bool is_one_of(const Token& token, std::initializer_list<std::string_view> words
   return std::ranges::find(words, std::string_view(token.text)) != words.end();
 }
 
+bool is_shade(const Token& token) { return is_one_of(token, {"light", "dark", "pale", "soft", "bright", "deep", "warm"}); }
+
 // "white and oak", "mostly pale blue tones": a row of colours and materials from `at` on. Empty where something else is among them.
 Scheme scheme_at(const Lexicon& lexicon, const std::vector<Token>& tokens, std::size_t at) {
   Scheme scheme;
@@ -34,7 +36,7 @@ Scheme scheme_at(const Lexicon& lexicon, const std::vector<Token>& tokens, std::
                is_one_of(token, {"oak", "wood", "walnut", "maple", "pine", "birch", "ash", "teak", "bamboo", "concrete"}))
         scheme.floor = token.text;
       i += material.length;
-    } else if (is_one_of(token, {"light", "dark", "pale", "soft", "bright", "deep"})) {
+    } else if (is_shade(token)) {
       shade = token.text;
       ++i;
     } else if (is_one_of(token, {"and", ",", "tones", "tone", "colors", "color", "shades", "scheme", "palette", "mostly", "all", "please",
@@ -54,12 +56,11 @@ Scheme finish_after(const Lexicon& lexicon, const std::vector<Token>& tokens, st
   Scheme finish;
   std::string said;
   std::size_t i = from;
-  const auto is_shade = [&] { return is_one_of(tokens[i], {"light", "dark", "pale", "soft", "bright", "deep", "warm"}); };
   bool known = false;
   for (std::size_t length = 1; i < tokens.size() && length > 0; i += length) {
     length = lexicon.find(tokens, i, floor ? WordClass::kMaterial : WordClass::kColor).length;
     known |= length > 0;
-    if (length == 0 && !known && is_shade()) length = 1;
+    if (length == 0 && !known && is_shade(tokens[i])) length = 1;
     for (std::size_t w = i; w < i + length; ++w) said += (said.empty() ? "" : " ") + tokens[w].text;
   }
   const bool over = i >= tokens.size() || tokens[i].kind == Token::Kind::kPunctuation || is_one_of(tokens[i], {"and", "with"});

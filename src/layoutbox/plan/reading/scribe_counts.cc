@@ -26,11 +26,6 @@ std::size_t walls_meant(const NounPhrase& wall) {
   return some ? 2 : 4;
 }
 
-// "metal shelving on both long walls", "racking along the walls": however many it takes.
-bool is_stuff_of_walls(const NounPhrase& noun) {
-  return noun.determiner == Determiner::kNone && !noun.plural && noun.count == 0 && noun.head.ends_with("ing") && is_storage(noun);
-}
-
 }  // namespace
 
 // "a wall covered in bookshelves", "tall shelves on every wall": so many that they fill an ordinary wall, or stand at all but the front
@@ -40,7 +35,7 @@ std::size_t Scribe::row_along_walls(const Link& link, int target, const NounPhra
   constexpr std::size_t kWalls = 3, kMostAtWall = 5;
   const CatalogEntry* entry = noun_of(target).entry;
   if (entry == nullptr || entry->mount != Mount::kFloor || !entry->back_to_wall) return 0;
-  bool full = is_full_height(noun_of(target)) || is_stuff_of_walls(noun_of(target));
+  bool full = is_full_height(noun_of(target));
   for (std::size_t i = link.first; i < link.last; ++i) full |= lexicon_.is_in("full", document_.tokens[i].text);
   const bool boards = says(link.senses, RelationType::kOnWall) && lexicon_.catalog().find("wall_" + entry->id) != nullptr;
   if (boards && !full && !is_tall(noun_of(target))) return 0;
@@ -54,9 +49,12 @@ std::size_t Scribe::row_along_walls(const Link& link, int target, const NounPhra
 
 // "bookshelves lining three walls": at least one at each.
 void Scribe::grow_along_walls(const Link& link, int target, const NounPhrase& wall) {
-  const bool several = noun_of(target).plural || (is_stuff_of_walls(noun_of(target)) && (wall.plural || wall.count > 1));
+  const bool several =
+      noun_of(target).plural || (is_uncounted_stuff(noun_of(target)) && is_storage(noun_of(target)) && (wall.plural || wall.count > 1));
   if (wall.kind != NounKind::kWall || !several || noun_of(target).count > 0) return;
-  references_.grow(target, std::max(static_cast<std::size_t>(std::max(wall.count, 0)), row_along_walls(link, target, wall)));
+  const bool both = wall.determiner == Determiner::kBoth && document_.tokens[wall.first].text == "both";
+  const auto walls = static_cast<std::size_t>(std::max(wall.count, both ? 2 : 0));
+  references_.grow(target, std::max(walls, row_along_walls(link, target, wall)));
 }
 
 // "an L-shaped counter along the back and right walls", "cabinets along two named walls": one at each.

@@ -1,0 +1,33 @@
+// What is as long as the wall that it stands along.
+#include <algorithm>
+
+#include "layoutbox/plan/offline/relation_builder_parts.h"
+
+namespace layoutbox::offline {
+
+using R = RelationType;
+
+// "a wardrobe along the whole left wall": as long as the wall, or as what else has to be there lets it be.
+void RelationBuilder::fill_whole_walls() {
+  const Point far = scene_.room.polygon.size() == 4 ? scene_.room.polygon[2] : Point{};
+  if (far.x == 0) return;
+  for (const Relation& along : scene_.relations) {
+    if (along.type != R::kAgainstWall || along.targets.size() != 1 || !words_.have(along, WordSet::kWholeWalls)) continue;
+    const auto object = std::ranges::find(scene_.objects, along.targets.front(), &SceneObject::id);
+    if (object == scene_.objects.end() || object->size_source == SizeSource::kUser) continue;
+    const CatalogEntry* entry = noun_of_object(*object).entry;
+    if (entry == nullptr || !entry->back_to_wall || entry->mount != Mount::kFloor) continue;
+    const std::optional<Side> side = along.references.empty() ? std::nullopt : room_side_from_word(along.references.front());
+    const bool across = side == Side::kLeft || side == Side::kRight;
+    const Mm length = !side ? std::max(far.x, far.y) : across ? far.y : far.x;
+    constexpr Mm kAir = 20;
+    constexpr int kLeastPart = 2;  // of the wall: the rest is a door's
+    SizeRange range = object->size.value_or(entry->size);
+    range.least.width = std::max(length / kLeastPart, std::min(range.least.width, length - kAir));
+    range.usual.width = range.greatest.width = length - kAir;
+    object->size = range;
+    object->size_source = SizeSource::kInferred;
+  }
+}
+
+}  // namespace layoutbox::offline
