@@ -7,8 +7,6 @@
 
 namespace layoutbox::offline {
 
-using Class = WordClass;
-
 namespace {
 
 class AbsentReader {
@@ -58,7 +56,7 @@ class AbsentReader {
   bool is_break(std::size_t i) const {
     static constexpr std::string_view kNow[] = {"now", "today", "instead"};
     const Token& token = tokens_[i];
-    return token.ends_sentence || token.text == ":" || lexicon_.is(token, Class::kClause) ||
+    return token.ends_sentence || token.text == ":" || lexicon_.is(token, WordClass::kClause) ||
            std::ranges::find(kNow, token.text) != std::end(kNow);
   }
 
@@ -66,15 +64,15 @@ class AbsentReader {
   std::size_t clause_begins(std::size_t at) const {
     for (std::size_t i = at; i-- > 0;) {
       if (is_break(i)) return i + 1;
-      const bool joins = tokens_[i].text == "," || lexicon_.is(tokens_[i], Class::kAnd);
+      const bool joins = tokens_[i].text == "," || lexicon_.is(tokens_[i], WordClass::kAnd);
       const Token& next = tokens_[i + 1];
       // "a desk, printer: none", "two chairs, TV not needed"
       constexpr std::size_t kName = 4;
       const bool one = tokens_[i].text == "," && at - i <= kName && tokens_[at].text != "are" && tokens_[at].text != "were" &&
                        tokens_[at].text != "have";
       const bool listed = tokens_[at].kind == Token::Kind::kPunctuation || one;
-      if (joins && (listed || i + 1 == at || lexicon_.is(next, Class::kDefinite) || lexicon_.is(next, Class::kPossessive) ||
-                    lexicon_.is(next, Class::kDoer)))
+      if (joins && (listed || i + 1 == at || lexicon_.is(next, WordClass::kDefinite) || lexicon_.is(next, WordClass::kPossessive) ||
+                    lexicon_.is(next, WordClass::kDoer)))
         return i + 1;
     }
     return 0;

@@ -8,14 +8,12 @@
 
 namespace layoutbox::offline {
 
-using Class = WordClass;
-
 // "plants, ten at least!", "six at most": a bound behind its number.
 bool Chunker::read_trailing_bound() {
-  const std::size_t length = std::max(length_of(Class::kAtLeast), length_of(Class::kAtMost));
+  const std::size_t length = std::max(length_of(WordClass::kAtLeast), length_of(WordClass::kAtMost));
   if (length == 0 || previous() != ChunkKind::kNoun || chunks_[telling_].noun.count == 0 || i_ + length > tokens_.size()) return false;
   if (i_ + length < tokens_.size() && tokens_[i_ + length].kind != Token::Kind::kPunctuation) return false;
-  chunks_[telling_].noun.at_least = length_of(Class::kAtLeast) > 0;
+  chunks_[telling_].noun.at_least = length_of(WordClass::kAtLeast) > 0;
   add(ChunkKind::kIgnored, length);
   return true;
 }
@@ -57,8 +55,9 @@ bool Chunker::read_stuff() {
       chunks_.back().noun.kind != NounKind::kObject)
     return false;
   if (i_ + 1 >= tokens_.size()) return false;
-  const Match material = lexicon_.find(tokens_, i_ + 1, Class::kMaterial);
-  const Match stuff = material.length > 0 || tokens_[i_].text != "of" ? material : lexicon_.find(tokens_, i_ + 1, Class::kColor);  // gold
+  const Match material = lexicon_.find(tokens_, i_ + 1, WordClass::kMaterial);
+  const Match stuff =
+      material.length > 0 || tokens_[i_].text != "of" ? material : lexicon_.find(tokens_, i_ + 1, WordClass::kColor);  // gold
   if (stuff.length == 0 || chunks_.back().last != i_) return false;
   const auto noun = read_noun_phrase(lexicon_, tokens_, i_ + 1, true);  // "a vase in a glass cabinet"
   if (noun && noun->last > i_ + 1 + stuff.length) return false;
@@ -70,7 +69,7 @@ bool Chunker::read_stuff() {
 bool Chunker::read_that_may() {
   static constexpr std::array<std::string_view, 5> kMay = {"may", "might", "can", "could", "should"};
   if (tokens_[i_].text != "that" || previous() != ChunkKind::kComma || i_ + 2 >= tokens_.size()) return false;
-  if (!lexicon_.is(tokens_[i_ + 1], Class::kDoer) || std::ranges::find(kMay, tokens_[i_ + 2].text) == kMay.end()) return false;
+  if (!lexicon_.is(tokens_[i_ + 1], WordClass::kDoer) || std::ranges::find(kMay, tokens_[i_ + 2].text) == kMay.end()) return false;
   add(ChunkKind::kClause, 1);
   return true;
 }

@@ -9,18 +9,16 @@
 
 namespace layoutbox::offline {
 
-using Class = WordClass;
-
 // Who does something stands right before, alone: "we", "they also".
 bool Chunker::follows_doer() const {
   if (telling_ >= chunks_.size()) return false;
   const Chunk& who = chunks_[telling_];
-  return who.last == who.first + 1 && lexicon_.is(tokens_[who.first], Class::kDoer);
+  return who.last == who.first + 1 && lexicon_.is(tokens_[who.first], WordClass::kDoer);
 }
 
 // "on the desk I wish one lamp", "here we require two vases": what is wanted is there, as after "I want".
 bool Chunker::read_wishing() {
-  if (i_ + 2 >= tokens_.size() || !lexicon_.is(tokens_[i_], Class::kDoer)) return false;
+  if (i_ + 2 >= tokens_.size() || !lexicon_.is(tokens_[i_], WordClass::kDoer)) return false;
   std::size_t verb = i_ + 1;
   bool helped = false;
   for (; verb + 1 < tokens_.size() && is_helping(verb); ++verb) helped |= !says_how_much(verb);
@@ -56,7 +54,7 @@ bool Chunker::owns_furniture(std::size_t verb) const {
 // "really", "probably", "rather": between what helps and the verb.
 bool Chunker::says_how_much(std::size_t at) const {
   const std::string& word = tokens_[at].text;
-  return word == "just" || word == "also" || lexicon_.is(tokens_[at], Class::kAdverb) || lexicon_.is(tokens_[at], Class::kSoft) ||
+  return word == "just" || word == "also" || lexicon_.is(tokens_[at], WordClass::kAdverb) || lexicon_.is(tokens_[at], WordClass::kSoft) ||
          (word.ends_with("ly") && word_form(word) == WordForm::kAdverb);
 }
 
@@ -72,13 +70,13 @@ bool Chunker::read_helped_wish(std::size_t verb) {
   bool wanted = false, put = false;
   for (; verb + 1 < tokens_.size(); verb += 2) {
     wanted |= one_of(tokens_[verb].text, WordSet::kLiking);
-    put |= brings_in(verb) || lexicon_.is(tokens_[verb], Class::kParticiple) || lexicon_.is(tokens_[verb], Class::kPlaceVerb) ||
-           lexicon_.is(tokens_[verb], Class::kHang);
+    put |= brings_in(verb) || lexicon_.is(tokens_[verb], WordClass::kParticiple) || lexicon_.is(tokens_[verb], WordClass::kPlaceVerb) ||
+           lexicon_.is(tokens_[verb], WordClass::kHang);
     if (tokens_[verb + 1].text != "to") break;
   }
   const std::size_t thing = verb + 1;
   if ((!wanted && !put) || thing >= tokens_.size()) return false;
-  const bool known = lexicon_.is(tokens_[thing], Class::kDefinite) || lexicon_.is(tokens_[thing], Class::kPossessive);
+  const bool known = lexicon_.is(tokens_[thing], WordClass::kDefinite) || lexicon_.is(tokens_[thing], WordClass::kPossessive);
   if (!thing_next(thing) && !(wanted && known)) return false;
   add(ChunkKind::kThere, thing - i_);
   return true;
@@ -86,8 +84,8 @@ bool Chunker::read_helped_wish(std::size_t verb) {
 
 // "opposite the door you meet a desk", "by the window he keeps a telescope": somebody finds a thing where the clause begins.
 bool Chunker::read_finding() {
-  if (i_ + 2 >= tokens_.size() || !lexicon_.is(tokens_[i_], Class::kDoer) || chunks_.empty()) return false;
-  const auto own = lexicon_.is(tokens_[i_ + 2], Class::kPossessive) ? read_noun_phrase(lexicon_, tokens_, i_ + 2, false) : std::nullopt;
+  if (i_ + 2 >= tokens_.size() || !lexicon_.is(tokens_[i_], WordClass::kDoer) || chunks_.empty()) return false;
+  const auto own = lexicon_.is(tokens_[i_ + 2], WordClass::kPossessive) ? read_noun_phrase(lexicon_, tokens_, i_ + 2, false) : std::nullopt;
   const bool thing = thing_next(i_ + 2) || (own && own->kind == NounKind::kObject && own->exact);  // "I keep my guitar"
   if (!thing || !may_be_verb(tokens_[i_ + 1].text)) return false;
   std::size_t first = chunks_.size();
@@ -112,7 +110,7 @@ bool Chunker::read_doing() {
     add(ChunkKind::kPurpose, 1);
     return true;
   }
-  if (i_ + 2 >= tokens_.size() || length_of(Class::kBe) != 1 || is_placing(i_ + 1)) return false;
+  if (i_ + 2 >= tokens_.size() || length_of(WordClass::kBe) != 1 || is_placing(i_ + 1)) return false;
   const std::string& doing = tokens_[i_ + 1].text;
   const bool is = tokens_[i_].text == "am" || tokens_[i_].text == "are" || tokens_[i_].text == "is";
   if (is ? !doing.ends_with("ing") : brings_in(i_ + 1) || !opens_noun(tokens_[i_ + 2])) return false;
@@ -140,20 +138,22 @@ bool Chunker::read_manner() {
 // A word that says nothing of what or where.
 bool Chunker::may_tell_how(std::size_t at) const {
   if (tokens_[at].kind != Token::Kind::kWord || opens_noun(tokens_[at]) || lexicon_.find_phrase(tokens_, at).length > 0) return false;
-  constexpr std::array kTelling = {Class::kAbstract, Class::kVerb, Class::kAdverb, Class::kQuality, Class::kStyle, Class::kSizeWord};
+  constexpr std::array kTelling = {WordClass::kAbstract, WordClass::kVerb,  WordClass::kAdverb,
+                                   WordClass::kQuality,  WordClass::kStyle, WordClass::kSizeWord};
   const Match match = lexicon_.find(tokens_, at);
   return std::ranges::all_of(match.meanings, [&](const Meaning& m) { return std::ranges::find(kTelling, m.word_class) != kTelling.end(); });
 }
 
 // A verb that says where something is or that it is there.
 bool Chunker::is_placing(std::size_t at) const {
-  constexpr std::array kPlacing = {Class::kParticiple, Class::kHang, Class::kHave, Class::kPlaceVerb, Class::kBe, Class::kAdverb};
-  return std::any_of(kPlacing.begin(), kPlacing.end(), [&](Class placing) { return lexicon_.is(tokens_[at], placing); });
+  constexpr std::array kPlacing = {WordClass::kParticiple, WordClass::kHang, WordClass::kHave,
+                                   WordClass::kPlaceVerb,  WordClass::kBe,   WordClass::kAdverb};
+  return std::any_of(kPlacing.begin(), kPlacing.end(), [&](WordClass placing) { return lexicon_.is(tokens_[at], placing); });
 }
 
 // What is wanted, kept or put somewhere.
 bool Chunker::brings_in(std::size_t at) const {
-  return lexicon_.is(tokens_[at], Class::kCommand) || lexicon_.is_in("wishing", tokens_[at].text);
+  return lexicon_.is(tokens_[at], WordClass::kCommand) || lexicon_.is_in("wishing", tokens_[at].text);
 }
 
 // The word right after who does it is the verb, whatever it is elsewhere ("we host", "I record"). In the past tense, and of a new thing
@@ -162,9 +162,9 @@ bool Chunker::is_deed(std::size_t at) const {
   const std::string& who = tokens_[chunks_[telling_].first].text;
   const Token& verb = tokens_[at];
   if (verb.kind != Token::Kind::kWord || at + 1 >= tokens_.size() || opens_noun(verb) || brings_in(at) || is_placing(at) ||
-      lexicon_.find(tokens_, at, Class::kThere).length > 0 || lexicon_.find_phrase(tokens_, at).length > 0 || !is_english(verb.text))
+      lexicon_.find(tokens_, at, WordClass::kThere).length > 0 || lexicon_.find_phrase(tokens_, at).length > 0 || !is_english(verb.text))
     return false;
-  if (lexicon_.find(tokens_, at, Class::kWithout).length > 0) return false;              // "plants I do not want"
+  if (lexicon_.find(tokens_, at, WordClass::kWithout).length > 0) return false;          // "plants I do not want"
   if (who != "i" && who != "we" && lexicon_.find(tokens_, at).length > 0) return false;  // "they face", "you find"
   const bool third = who == "he" || who == "she";
   if (verb.text.ends_with("ed") || verb.text.ends_with("ing") || (third && !verb.text.ends_with("s"))) return false;

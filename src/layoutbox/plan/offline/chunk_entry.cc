@@ -7,7 +7,6 @@
 
 namespace layoutbox::offline {
 
-using Class = WordClass;
 using Direction = PhraseSense::Direction;
 
 namespace {
@@ -37,7 +36,7 @@ bool Chunker::read_where_in() {
     ++at;
   if (at + 2 > tokens_.size() || at + 1 >= tokens_.size()) return false;
   const bool light = one_of(tokens_[at].text, WordSet::kDaylight);
-  const bool who = lexicon_.is(tokens_[at], Class::kDoer) || tokens_[at].text == "one" || lexicon_.is_person(tokens_[at].text);
+  const bool who = lexicon_.is(tokens_[at], WordClass::kDoer) || tokens_[at].text == "one" || lexicon_.is_person(tokens_[at].text);
   const Token& verb = tokens_[at + 1];
   const bool pours = one_of(verb.text, WordSet::kLightComes);
   const bool good = light && verb.text == "is" && at + 2 < tokens_.size() && tokens_[at + 2].kind == Token::Kind::kWord;  // "is best"
@@ -54,7 +53,7 @@ bool Chunker::read_entering() {
   if (one_of_words(tokens_[i_], {"on", "upon"}) && i_ + 1 < tokens_.size() && one_of_words(tokens_[i_ + 1], {"entering", "entry"})) {
     end = past_inside(i_ + 2);
   } else if (one_of_words(tokens_[i_], {"as", "when", "once", "after"}) && i_ + 2 < tokens_.size() && enters(tokens_[i_ + 2]) &&
-             (lexicon_.is(tokens_[i_ + 1], Class::kDoer) || tokens_[i_ + 1].text == "one")) {
+             (lexicon_.is(tokens_[i_ + 1], WordClass::kDoer) || tokens_[i_ + 1].text == "one")) {
     end = past_inside(i_ + 3);
     if (end == i_ + 3 && !tokens_[i_ + 2].text.starts_with("enter")) return false;
   }

@@ -8,8 +8,6 @@
 
 namespace layoutbox::offline {
 
-using Class = WordClass;
-
 namespace {
 
 template <std::size_t N>
@@ -45,7 +43,7 @@ std::size_t Chunker::past_particles(std::size_t at) const {
   const auto passes = [&](std::size_t i) {
     const Token& token = tokens_[i];
     if (token.text == "toward" || token.text == "towards") return false;
-    if (lexicon_.is(token, Class::kAdverb) || is_among(kParticles, token.text)) return true;
+    if (lexicon_.is(token, WordClass::kAdverb) || is_among(kParticles, token.text)) return true;
     return word_form(token.text) == WordForm::kAdverb && lexicon_.find_phrase(tokens_, i).length == 0;
   };
   while (at < tokens_.size() && passes(at)) ++at;
@@ -68,7 +66,7 @@ std::size_t Chunker::length_of_looking() const {
   const auto ends_at = [&](std::size_t at) { return at < tokens_.size() && tokens_[at].kind == Token::Kind::kWord ? at - i_ : 0; };
   if (watches && i_ + 1 < tokens_.size()) {
     const std::size_t at = i_ + (tokens_[i_ + 1].text == "over" ? 2 : 1);
-    return at < tokens_.size() && (opens_noun(tokens_[at]) || lexicon_.find(tokens_, at, Class::kObject).length > 0) ? ends_at(at) : 0;
+    return at < tokens_.size() && (opens_noun(tokens_[at]) || lexicon_.find(tokens_, at, WordClass::kObject).length > 0) ? ends_at(at) : 0;
   }
   std::size_t at = past_particles(i_ + 1);
   const bool over = at > i_ + 1 && (tokens_[at - 1].text == "over" || tokens_[at - 1].text == "across");  // "looks over the bay"
@@ -89,7 +87,7 @@ std::size_t Chunker::length_of_view() const {
   if (!one_of(tokens_[i_].text, WordSet::kHavingView) || previous() == ChunkKind::kStop) return 0;
   for (std::size_t at = i_ + 1; at + 2 < tokens_.size() && at <= i_ + kMost && tokens_[at].kind == Token::Kind::kWord; ++at) {
     if (one_of(tokens_[at].text, WordSet::kViews)) return is_among(kOver, tokens_[at + 1].text) ? at + 2 - i_ : 0;
-    if (lexicon_.find(tokens_, at, Class::kObject).length > 0) return 0;
+    if (lexicon_.find(tokens_, at, WordClass::kObject).length > 0) return 0;
   }
   return 0;
 }
@@ -129,11 +127,11 @@ bool Chunker::read_past() {
       add_phrase(phrase);
       return true;
     }
-    if (object && lexicon_.is(as, Class::kHave)) {
+    if (object && lexicon_.is(as, WordClass::kHave)) {
       add(ChunkKind::kHave, 1);
       return true;
     }
-    if (!lexicon_.present_of(word).empty() && lexicon_.is(as, Class::kPlaceVerb) && lexicon_.find_phrase(tokens_, i_ + 1).length > 0) {
+    if (!lexicon_.present_of(word).empty() && lexicon_.is(as, WordClass::kPlaceVerb) && lexicon_.find_phrase(tokens_, i_ + 1).length > 0) {
       add(ChunkKind::kVerb, 1).placing = true;
       return true;
     }
@@ -146,7 +144,7 @@ bool Chunker::hangs_from_which() const {
   constexpr std::size_t kFar = 20;
   if (tokens_[i_].text != "from" || i_ + 2 >= tokens_.size() || tokens_[i_ + 1].text != "which") return false;
   for (std::size_t i = i_ + 2; i < tokens_.size() && i < i_ + kFar && tokens_[i].kind == Token::Kind::kWord; ++i) {
-    if (lexicon_.is(tokens_[i], Class::kHang)) return true;
+    if (lexicon_.is(tokens_[i], WordClass::kHang)) return true;
   }
   return false;
 }
@@ -181,12 +179,12 @@ std::optional<Measure> Chunker::read_stride(std::size_t at) const {
   const std::size_t first = at;
   double number = 0;
   if (at < tokens_.size() && (tokens_[at].text == "half")) number = 0.5, ++at;
-  if (const Match vague = lexicon_.find(tokens_, at, Class::kVague), count = lexicon_.find(tokens_, at, Class::kNumber);
+  if (const Match vague = lexicon_.find(tokens_, at, WordClass::kVague), count = lexicon_.find(tokens_, at, WordClass::kNumber);
       std::max(vague.length, count.length) > 0) {
     const Match& said = vague.length > count.length ? vague : count;
     for (const Meaning& meaning : said.meanings) number = std::max(number, meaning.value);
     at += said.length;
-  } else if (at < tokens_.size() && lexicon_.is(tokens_[at], Class::kIndefinite)) {
+  } else if (at < tokens_.size() && lexicon_.is(tokens_[at], WordClass::kIndefinite)) {
     number = number > 0 ? number : 1;
     ++at;
   }
@@ -199,10 +197,10 @@ std::optional<Measure> Chunker::read_stride(std::size_t at) const {
     words += (words.empty() ? "" : " ") + tokens_[i].text;
     if (const double stride = lexicon_.stride_of(words); stride > 0) return Measure{std::max(number, 1.0) * stride, i + 1 - first};
   }
-  const Match unit = lexicon_.find(tokens_, at, Class::kUnit);
+  const Match unit = lexicon_.find(tokens_, at, WordClass::kUnit);
   if (number < 2 || unit.length == 0 || tokens_[at].text == "in") return std::nullopt;
   for (const Meaning& meaning : unit.meanings) {
-    if (meaning.word_class == Class::kUnit) return Measure{number * meaning.value, at + unit.length - first};
+    if (meaning.word_class == WordClass::kUnit) return Measure{number * meaning.value, at + unit.length - first};
   }
   return std::nullopt;
 }
@@ -216,7 +214,7 @@ bool Chunker::read_steps() {
   bool led = false;
   while (at < tokens_.size()) {
     const std::size_t bound =
-        std::max(lexicon_.find(tokens_, at, Class::kAtMost).length, lexicon_.find(tokens_, at, Class::kMoreThan).length);
+        std::max(lexicon_.find(tokens_, at, WordClass::kAtMost).length, lexicon_.find(tokens_, at, WordClass::kMoreThan).length);
     const std::size_t taken = bound > 0 ? bound : is_among(kLeads, tokens_[at].text) ? 1 : 0;
     if (taken == 0 || read_stride(at)) break;
     at += taken;
@@ -233,7 +231,7 @@ bool Chunker::read_steps() {
   at += away ? 1 : 0;
   const bool from = next_is({"from", "of"}) || (away && next_is({"to"})) || (!away && next_is({"off"}));
   const PhraseMatch phrase = from ? PhraseMatch{} : lexicon_.find_phrase(tokens_, at);
-  const bool ends = at >= tokens_.size() || tokens_[at].kind == Token::Kind::kPunctuation || lexicon_.is(tokens_[at], Class::kAnd);
+  const bool ends = at >= tokens_.size() || tokens_[at].kind == Token::Kind::kPunctuation || lexicon_.is(tokens_[at], WordClass::kAnd);
   const bool direct = phrase.length > 0 && !ends;
   if (!from && !direct && !(ends && (away || led))) return false;
   const std::size_t length = at - i_ + (from ? 1 : phrase.length);

@@ -9,8 +9,6 @@
 
 namespace layoutbox::offline {
 
-using Class = WordClass;
-
 // "a shelf at about 1.2 m", "a mirror at a height of 1.5 m", "a hook at 90 cm height", "pictures at eye level": how high it hangs.
 bool Chunker::read_hung_at() {
   NounPhrase* hung = tokens_[i_].text == "at" ? may_hang() : nullptr;
@@ -27,7 +25,7 @@ bool Chunker::read_hung_at() {
     if (skip({"level", "height"})) height = kEyes;
   } else {
     if (skip({"a"}) && !(skip({"height"}) && skip({"of"}))) return false;
-    at += lexicon_.find(tokens_, at, Class::kExactly).length;
+    at += lexicon_.find(tokens_, at, WordClass::kExactly).length;
     if (const auto measure = read_measure(lexicon_, tokens_, at)) {
       height = measure->metres;
       at += measure->length;

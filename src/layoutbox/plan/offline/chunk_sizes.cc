@@ -8,8 +8,6 @@
 
 namespace layoutbox::offline {
 
-using Class = WordClass;
-
 namespace {
 
 // "50 cm apart": a row with that much between its members.
@@ -35,7 +33,7 @@ Chunker::Gap Chunker::gap_here() const {
   };
   gap.led = skip({"with", "leaving", "leave", "keeping", "keep", "at"});
   const std::size_t article = gap.at;
-  if (skip({"a", "an"}) && gap.at < tokens_.size() && lexicon_.is(tokens_[gap.at], Class::kUnit))
+  if (skip({"a", "an"}) && gap.at < tokens_.size() && lexicon_.is(tokens_[gap.at], WordClass::kUnit))
     gap.at = article;  // "with a metre between"
   if (says_gap(gap.at) && gap.at + 1 < tokens_.size() && tokens_[gap.at + 1].text == "of") return {gap.at + 2, gap.led, true};
   return gap.led ? gap : Gap{i_, false, false};
@@ -54,22 +52,22 @@ std::size_t Chunker::gap_ends(std::size_t at) const {
 // "a metre apart", "a foot from the wall": one of that unit.
 bool Chunker::is_one_unit(std::size_t at) const {
   static constexpr std::array<std::string_view, 7> kAfter = {"apart", "away", "from", "between", "behind", "above", "below"};
-  if (at + 2 >= tokens_.size() || tokens_[at].text != "a" || !lexicon_.is(tokens_[at + 1], Class::kUnit)) return false;
+  if (at + 2 >= tokens_.size() || tokens_[at].text != "a" || !lexicon_.is(tokens_[at + 1], WordClass::kUnit)) return false;
   const bool beyond = tokens_[at + 2].text == "in" && at + 3 < tokens_.size() && tokens_[at + 3].text == "front";
   const bool within = at > 0 && tokens_[at - 1].text == "within" && tokens_[at + 2].text == "of";
   return beyond || within || std::find(kAfter.begin(), kAfter.end(), tokens_[at + 2].text) != kAfter.end() || says_gap(at + 2);
 }
 
 std::optional<Measure> Chunker::read_unit(std::size_t at) const {
-  for (const Meaning& meaning : lexicon_.find(tokens_, at + 1, Class::kUnit).meanings) {
-    if (meaning.word_class == Class::kUnit) return Measure{meaning.value, 2};
+  for (const Meaning& meaning : lexicon_.find(tokens_, at + 1, WordClass::kUnit).meanings) {
+    if (meaning.word_class == WordClass::kUnit) return Measure{meaning.value, 2};
   }
   return std::nullopt;
 }
 
 bool Chunker::read_distance() {
   std::size_t at = i_;
-  const auto skip_class = [&](Class word_class) {
+  const auto skip_class = [&](WordClass word_class) {
     const std::size_t length = lexicon_.find(tokens_, at, word_class).length;
     at += length;
     return length > 0;
@@ -80,9 +78,9 @@ bool Chunker::read_distance() {
   at = gap.at;
   if (at >= tokens_.size()) return false;
   if (tokens_[at].text == "within") at_most = true, ++at;
-  at_least = skip_class(Class::kAtLeast) || skip_class(Class::kMoreThan);
-  at_most |= skip_class(Class::kAtMost);
-  skip_class(Class::kExactly);
+  at_least = skip_class(WordClass::kAtLeast) || skip_class(WordClass::kMoreThan);
+  at_most |= skip_class(WordClass::kAtMost);
+  skip_class(WordClass::kExactly);
   const bool one = at < tokens_.size() && is_one_unit(at);
   const auto measure = one ? read_unit(at) : read_measure(lexicon_, tokens_, at);
   if (!measure) return false;
@@ -90,7 +88,7 @@ bool Chunker::read_distance() {
   // "a table, 1.2 m by 0.8": a size
   if (at + 1 < tokens_.size() && (tokens_[at].text == "by" || tokens_[at].text == "x") && tokens_[at + 1].kind == Token::Kind::kNumber)
     return false;
-  if (lexicon_.find(tokens_, at, Class::kDimension).length > std::max<std::size_t>(lexicon_.find_phrase(tokens_, at).length, 1))
+  if (lexicon_.find(tokens_, at, WordClass::kDimension).length > std::max<std::size_t>(lexicon_.find_phrase(tokens_, at).length, 1))
     return false;
   if (const std::size_t end = gap_ends(at); !apart && end > at) apart = true, at = end;
   const auto next_is = [&](std::initializer_list<std::string_view> words) {
@@ -146,11 +144,11 @@ bool Chunker::read_rows() {
   const auto number = [&]() {
     if (at >= tokens_.size()) return 0;
     if (tokens_[at].kind == Token::Kind::kNumber) return static_cast<int>(std::clamp(tokens_[at++].number, 0.0, 1000.0));
-    const Match match = lexicon_.find(tokens_, at, Class::kNumber);
+    const Match match = lexicon_.find(tokens_, at, WordClass::kNumber);
     if (match.length == 0) return 0;
     at += match.length;
     for (const Meaning& meaning : match.meanings) {
-      if (meaning.word_class == Class::kNumber) return static_cast<int>(meaning.value);
+      if (meaning.word_class == WordClass::kNumber) return static_cast<int>(meaning.value);
     }
     return 0;
   };
@@ -217,7 +215,7 @@ bool Chunker::read_bare_length() {
 bool Chunker::read_size_chunk() {
   SaidSize size;
   if (const std::size_t taken = previous() == ChunkKind::kStop ? 0 : read_size_of(lexicon_, tokens_, i_, size);
-      taken > 0 && !(lexicon_.is(tokens_[i_], Class::kIndefinite) && noun_goes_on(lexicon_, tokens_, i_ + taken))) {
+      taken > 0 && !(lexicon_.is(tokens_[i_], WordClass::kIndefinite) && noun_goes_on(lexicon_, tokens_, i_ + taken))) {
     add(ChunkKind::kSize, taken).size = size;
     return true;
   }
@@ -236,7 +234,7 @@ bool Chunker::read_size_chunk() {
         // Before a noun it belongs to the noun phrase.
         constexpr std::array kStandsAfter = {ChunkKind::kNoun, ChunkKind::kComma, ChunkKind::kAnd, ChunkKind::kVerb, ChunkKind::kIgnored};
         if (std::ranges::find(kStandsAfter, previous()) == kStandsAfter.end()) return false;
-        if (at + taken < tokens_.size() && lexicon_.find(tokens_, at + taken, Class::kObject).length > 0) return false;
+        if (at + taken < tokens_.size() && lexicon_.find(tokens_, at + taken, WordClass::kObject).length > 0) return false;
         Chunk& chunk = add(ChunkKind::kSize, at + taken - i_);
         chunk.size = named;
         return true;

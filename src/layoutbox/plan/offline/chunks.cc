@@ -10,8 +10,6 @@
 
 namespace layoutbox::offline {
 
-using Class = WordClass;
-
 namespace {
 
 // Not "hangs", "is mounted", "hang the lamp", which are finite.
@@ -22,11 +20,11 @@ bool is_participle_form(std::string_view word) {
 }  // namespace
 
 bool Chunker::opens_noun(const Token& token) const {
-  return token.kind == Token::Kind::kNumber || lexicon_.is(token, Class::kDefinite) || lexicon_.is(token, Class::kIndefinite) ||
-         lexicon_.is(token, Class::kPossessive) || lexicon_.is(token, Class::kEach) || lexicon_.is(token, Class::kBoth) ||
-         lexicon_.is(token, Class::kPronoun) || lexicon_.is(token, Class::kAnother) || token.text == "over" || token.text == "at" ||
+  return token.kind == Token::Kind::kNumber || lexicon_.is(token, WordClass::kDefinite) || lexicon_.is(token, WordClass::kIndefinite) ||
+         lexicon_.is(token, WordClass::kPossessive) || lexicon_.is(token, WordClass::kEach) || lexicon_.is(token, WordClass::kBoth) ||
+         lexicon_.is(token, WordClass::kPronoun) || lexicon_.is(token, WordClass::kAnother) || token.text == "over" || token.text == "at" ||
          token.text == "more" || token.text == "exactly" ||
-         (lexicon_.is(token, Class::kNumber) && token.text != "double" && token.text != "twin" && token.text != "single");
+         (lexicon_.is(token, WordClass::kNumber) && token.text != "double" && token.text != "twin" && token.text != "single");
 }
 
 bool Chunker::clause_begins() const {
@@ -37,7 +35,7 @@ bool Chunker::clause_begins() const {
 
 // "there is", but not "the lamp there", "it is there on the shelf"
 bool Chunker::read_there(std::size_t without) {
-  const std::size_t there = length_of(Class::kThere);
+  const std::size_t there = length_of(WordClass::kThere);
   if (there == 0 || there < without) return false;
   const ChunkKind before = previous();
   const bool place =
@@ -49,7 +47,7 @@ bool Chunker::read_there(std::size_t without) {
 // "like three mugs", "stools, say five"
 bool Chunker::is_about_number() const {
   return (tokens_[i_].text == "like" || tokens_[i_].text == "say") && i_ + 1 < tokens_.size() &&
-         lexicon_.is(tokens_[i_ + 1], Class::kNumber);
+         lexicon_.is(tokens_[i_ + 1], WordClass::kNumber);
 }
 
 // "chairs all around"
@@ -81,28 +79,29 @@ void Chunker::read() {
     return;
   }
   // "The left nightstand", "two chairs": what opens a noun phrase is one, unless a longer phrase begins so ("one behind the other").
-  std::size_t without = length_of(Class::kWithout);
+  std::size_t without = length_of(WordClass::kWithout);
   const std::size_t denied = i_ + without;
   // "is no more than a step from it": how far.
   if (without > 1 && denied < tokens_.size() && (tokens_[denied].text == "more" || tokens_[denied].text == "further")) without = 0;
-  if (without > 0 && std::max(length_of(Class::kAtLeast), length_of(Class::kAtMost)) > without) without = 0;  // "no fewer than eight pots"
+  if (without > 0 && std::max(length_of(WordClass::kAtLeast), length_of(WordClass::kAtMost)) > without)
+    without = 0;  // "no fewer than eight pots"
   if (read_there(without)) return;
   const bool counts = tokens_[i_].text == "over" || tokens_[i_].text == "at" || tokens_[i_].text == "more" || tokens_[i_].text == "exactly";
   const bool count_follows =
-      !counts || length_of(Class::kAtLeast) > 0 ||
-      (length_of(Class::kMoreThan) > 0 && i_ + 1 < tokens_.size() &&
-       (tokens_[i_ + 1].kind == Token::Kind::kNumber || lexicon_.is(tokens_[i_ + 1], Class::kNumber)) && before != ChunkKind::kNoun) ||
-      length_of(Class::kExactly) > 0;
+      !counts || length_of(WordClass::kAtLeast) > 0 ||
+      (length_of(WordClass::kMoreThan) > 0 && i_ + 1 < tokens_.size() &&
+       (tokens_[i_ + 1].kind == Token::Kind::kNumber || lexicon_.is(tokens_[i_ + 1], WordClass::kNumber)) && before != ChunkKind::kNoun) ||
+      length_of(WordClass::kExactly) > 0;
   const bool both_sides = phrase.length == 2 && std::any_of(phrase.senses->begin(), phrase.senses->end(), [](const PhraseSense& s) {
                             return s.type == RelationType::kEachSideOf && s.direction == PhraseSense::Direction::kAlone;
                           });
   const std::size_t after_sides = i_ + phrase.length;
   const bool sides_end = both_sides && (after_sides >= tokens_.size() || tokens_[after_sides].kind == Token::Kind::kPunctuation ||
-                                        lexicon_.is(tokens_[after_sides], Class::kAnd));
+                                        lexicon_.is(tokens_[after_sides], WordClass::kAnd));
   const bool one_more = tokens_[i_].text == "one" && before == ChunkKind::kAnd;  // "… and one on the other" side
   if (opens_noun(tokens_[i_]) && (phrase.length < 3 || one_more) && !sides_end && count_follows) {
     const bool relative =
-        lexicon_.is(tokens_[i_], Class::kRelative) && before == ChunkKind::kNoun && !(tokens_[i_].text == "that" && noun_follows());
+        lexicon_.is(tokens_[i_], WordClass::kRelative) && before == ChunkKind::kNoun && !(tokens_[i_].text == "that" && noun_follows());
     if (relative || (before == ChunkKind::kComma && tokens_[i_].text == "which")) {
       add(ChunkKind::kRelative, 1);
       return;
@@ -122,7 +121,7 @@ void Chunker::read() {
 bool Chunker::read_whose() {
   if (tokens_[i_].text != "whose" || previous() != ChunkKind::kNoun) return false;
   const auto part = read_noun_phrase(lexicon_, tokens_, i_, false);
-  if (!part || part->last >= tokens_.size() || !lexicon_.is(tokens_[part->last], Class::kHave)) return false;
+  if (!part || part->last >= tokens_.size() || !lexicon_.is(tokens_[part->last], WordClass::kHave)) return false;
   if (!one_of(singular_of(tokens_[part->last - 1].text), WordSet::kHoldingParts)) return false;
   add(ChunkKind::kRelative, part->last - i_);
   return true;
@@ -133,7 +132,7 @@ bool Chunker::opens_question() const {
   static constexpr std::array<std::string_view, 7> kAsking = {"would", "could", "can", "will", "should", "might", "may"};
   return (chunks_.empty() || previous() == ChunkKind::kStop) && i_ + 1 < tokens_.size() &&
          std::find(kAsking.begin(), kAsking.end(), tokens_[i_].text) != kAsking.end() && opens_noun(tokens_[i_ + 1]) &&
-         !lexicon_.is(tokens_[i_ + 1], Class::kPronoun);
+         !lexicon_.is(tokens_[i_ + 1], WordClass::kPronoun);
 }
 
 // "enough chairs for six": a number is yet to come.
@@ -152,20 +151,21 @@ PhraseMatch Chunker::phrase_here() const {
   const std::string& last = tokens_[after - 1].text;
   // "above each of the beds", "behind one of the beds": "each of" are those.
   const Token& before = tokens_[after - 2];
-  if (phrase.length > 2 && last == "of" && (lexicon_.is(before, Class::kEach) || lexicon_.is(before, Class::kNumber)))
+  if (phrase.length > 2 && last == "of" && (lexicon_.is(before, WordClass::kEach) || lexicon_.is(before, WordClass::kNumber)))
     return lexicon_.find_phrase(tokens_.first(after - 2), i_);
   // "at its far end": the end of a thing, not of the room.
   const bool of_room = std::ranges::all_of(*phrase.senses, [](const PhraseSense& s) { return s.type == RelationType::kInRegion; });
   if (of_room && (phrase.possessive || (last == "of" && names_thing_at(after)))) return lexicon_.find_phrase(tokens_.first(i_ + 1), i_);
   // "at its right-hand end": not "at hand".
-  if (last == "hand" && lexicon_.is(tokens_[after], Class::kSide)) return lexicon_.find_phrase(tokens_.first(i_ + 1), i_);
+  if (last == "hand" && lexicon_.is(tokens_[after], WordClass::kSide)) return lexicon_.find_phrase(tokens_.first(i_ + 1), i_);
   const bool end = last == "end" || last == "edge";
   if (phrase.possessive && end && tokens_[after - 2].text == "right") return lexicon_.find_phrase(tokens_.first(i_ + 1), i_);
   if (last != "left" && last != "right" && last != "side") return phrase;
   // "on the left and right walls": not on the left.
   if (joins_walls(lexicon_, tokens_, after)) return lexicon_.find_phrase(tokens_.first(i_ + 1), i_);
   const Token& next = tokens_[after].text == "hand" && after + 1 < tokens_.size() ? tokens_[after + 1] : tokens_[after];
-  if (next.text != "one" && !lexicon_.is(next, Class::kWall) && !lexicon_.is(next, Class::kCorner) && !lexicon_.is(next, Class::kSide))
+  if (next.text != "one" && !lexicon_.is(next, WordClass::kWall) && !lexicon_.is(next, WordClass::kCorner) &&
+      !lexicon_.is(next, WordClass::kSide))
     return phrase;
   const PhraseMatch shorter = lexicon_.find_phrase(tokens_.first(i_ + 1), i_);
   return shorter.length > 0 ? shorter : phrase;
@@ -173,8 +173,8 @@ PhraseMatch Chunker::phrase_here() const {
 
 // A new thing is named at that token.
 bool Chunker::thing_next(std::size_t at) const {
-  return at < tokens_.size() && (lexicon_.is(tokens_[at], Class::kIndefinite) || lexicon_.is(tokens_[at], Class::kNumber) ||
-                                 tokens_[at].kind == Token::Kind::kNumber || lexicon_.is(tokens_[at], Class::kAnother));
+  return at < tokens_.size() && (lexicon_.is(tokens_[at], WordClass::kIndefinite) || lexicon_.is(tokens_[at], WordClass::kNumber) ||
+                                 tokens_[at].kind == Token::Kind::kNumber || lexicon_.is(tokens_[at], WordClass::kAnother));
 }
 
 // "easy to picture", "nice to look at": what one does, after an adjective that begins no relation phrase. "A layout to copy": with it.
@@ -205,9 +205,9 @@ bool Chunker::read_noun(bool bare) {
   // Right after a noun phrase no bare one begins: "lamps light the room", "a table holds".
   const bool after_which = !chunks_.empty() && chunks_.back().noun.kind == NounKind::kPronoun && chunks_.back().noun.head == "which";
   const bool after_wall = !chunks_.empty() && chunks_.back().kind == ChunkKind::kNoun && chunks_.back().noun.kind == NounKind::kWall &&
-                          !chunks_.back().noun.wall_word.empty() && lexicon_.find(tokens_, i_, Class::kObject).length > 0;
+                          !chunks_.back().noun.wall_word.empty() && lexicon_.find(tokens_, i_, WordClass::kObject).length > 0;
   const bool after_noun = bare && previous() == ChunkKind::kNoun && !chunks_.back().noun.owner && !after_which && !after_wall;
-  if (after_noun && !lexicon_.is(tokens_[i_], Class::kWallWord)) return false;
+  if (after_noun && !lexicon_.is(tokens_[i_], WordClass::kWallWord)) return false;
   // "for the one who watches": after "who" a verb.
   if (bare && i_ > 0 && tokens_[i_ - 1].text == "who" && may_be_verb(tokens_[i_].text)) return false;
   auto noun = read_noun_phrase(lexicon_, tokens_, i_, bare);
@@ -237,7 +237,7 @@ bool Chunker::is_verb_before_article(const NounPhrase& noun) const {
       noun.determiner != Determiner::kNone || noun.count > 0)
     return false;
   const Token& next = tokens_[noun.last];
-  return (lexicon_.is(next, Class::kIndefinite) || lexicon_.is(next, Class::kPossessive)) && may_be_verb(tokens_[i_].text);
+  return (lexicon_.is(next, WordClass::kIndefinite) || lexicon_.is(next, WordClass::kPossessive)) && may_be_verb(tokens_[i_].text);
 }
 
 void Chunker::add_phrase(const PhraseMatch& phrase) {
@@ -246,8 +246,8 @@ void Chunker::add_phrase(const PhraseMatch& phrase) {
   chunk.phrase = phrase;
   if (entering_) mean_hand(chunk);
   for (std::size_t i = first; i < first + phrase.length; ++i) {
-    chunk.hang |= lexicon_.is(tokens_[i], Class::kHang);
-    const bool placed = lexicon_.is(tokens_[i], Class::kParticiple) && tokens_[i].text != "left";  // "to the left of"
+    chunk.hang |= lexicon_.is(tokens_[i], WordClass::kHang);
+    const bool placed = lexicon_.is(tokens_[i], WordClass::kParticiple) && tokens_[i].text != "left";  // "to the left of"
     chunk.placing |= placed || chunk.hang;
   }
 }
@@ -269,7 +269,7 @@ bool Chunker::is_picture() const {
 
 // "a drum kit, set up on a rug, …": said of the drum kit, no command.
 std::size_t Chunker::set_after_noun() const {
-  const std::size_t length = tokens_[i_].text == "set" || tokens_[i_].text == "put" ? length_of(Class::kCommand) : 0;
+  const std::size_t length = tokens_[i_].text == "set" || tokens_[i_].text == "put" ? length_of(WordClass::kCommand) : 0;
   const bool told = previous() == ChunkKind::kComma && chunks_.size() > 1 && chunks_[chunks_.size() - 2].kind == ChunkKind::kNoun;
   const bool placed = told && length > 0 && i_ + length < tokens_.size() && lexicon_.find_phrase(tokens_, i_ + length).length > 0;
   return placed ? length : 0;
@@ -279,7 +279,7 @@ std::size_t Chunker::set_after_noun() const {
 bool Chunker::is_shape_said_after() const {
   if (tokens_[i_].text != "round" || previous() != ChunkKind::kNoun || i_ + 1 >= tokens_.size()) return false;
   const Token& next = tokens_[i_ + 1];
-  return next.kind == Token::Kind::kPunctuation || lexicon_.find(tokens_, i_ + 1, Class::kColor).length > 0 ||
+  return next.kind == Token::Kind::kPunctuation || lexicon_.find(tokens_, i_ + 1, WordClass::kColor).length > 0 ||
          lexicon_.find_phrase(tokens_, i_ + 1).length > 0;
 }
 
@@ -287,21 +287,21 @@ bool Chunker::is_shape_said_after() const {
 Chunker::Choice Chunker::longest(const PhraseMatch& phrase, std::size_t without) const {
   const ChunkKind before = previous();
   const bool after_noun = before == ChunkKind::kNoun || before == ChunkKind::kRelation;
-  const std::size_t filler = length_of(Class::kFiller);
+  const std::size_t filler = length_of(WordClass::kFiller);
   const std::array<Choice, 13> choices = {{
       {ChunkKind::kIgnored, filler > 1 ? filler : 0},  // "six in all", "three should do"
-      {ChunkKind::kCommand, clause_begins() && !is_picture() && set_after_noun() == 0 ? length_of(Class::kCommand) : 0},
+      {ChunkKind::kCommand, clause_begins() && !is_picture() && set_after_noun() == 0 ? length_of(WordClass::kCommand) : 0},
       {ChunkKind::kWithout, without},
-      {ChunkKind::kSoft, length_of(Class::kSoft)},
-      {ChunkKind::kHave, std::max(length_of(Class::kHave), bears_thing())},
+      {ChunkKind::kSoft, length_of(WordClass::kSoft)},
+      {ChunkKind::kHave, std::max(length_of(WordClass::kHave), bears_thing())},
       {ChunkKind::kRelation, phrase.length},
       {ChunkKind::kVerb, be_length()},
-      {ChunkKind::kParticiple, std::max({length_of(Class::kParticiple), length_of(Class::kHang), set_after_noun()})},
-      {ChunkKind::kVerb, length_of(Class::kPlaceVerb)},
-      {ChunkKind::kClause, length_of(Class::kClause)},
-      {ChunkKind::kAnd, length_of(Class::kAnd)},
-      {ChunkKind::kPurpose, length_of(Class::kPurpose)},
-      {ChunkKind::kRelative, after_noun ? length_of(Class::kRelative) : 0},
+      {ChunkKind::kParticiple, std::max({length_of(WordClass::kParticiple), length_of(WordClass::kHang), set_after_noun()})},
+      {ChunkKind::kVerb, length_of(WordClass::kPlaceVerb)},
+      {ChunkKind::kClause, length_of(WordClass::kClause)},
+      {ChunkKind::kAnd, length_of(WordClass::kAnd)},
+      {ChunkKind::kPurpose, length_of(WordClass::kPurpose)},
+      {ChunkKind::kRelative, after_noun ? length_of(WordClass::kRelative) : 0},
   }};
   return *std::max_element(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) { return a.length < b.length; });
 }
@@ -370,7 +370,7 @@ bool Chunker::read_words(const PhraseMatch& phrase, std::size_t without) {
   const std::size_t first = i_;
   Chunk& chunk = add(best.kind, best.length);
   if (best.kind != ChunkKind::kVerb && best.kind != ChunkKind::kParticiple) return true;
-  for (std::size_t i = first; i < chunk.last; ++i) chunk.hang |= lexicon_.is(tokens_[i], Class::kHang);
+  for (std::size_t i = first; i < chunk.last; ++i) chunk.hang |= lexicon_.is(tokens_[i], WordClass::kHang);
   chunk.placing = true;
   chunk.passive = passive;
   if (best.kind == ChunkKind::kParticiple && !is_participle_form(tokens_[chunk.last - 1].text)) chunk.kind = ChunkKind::kVerb;
@@ -378,21 +378,22 @@ bool Chunker::read_words(const PhraseMatch& phrase, std::size_t without) {
 }
 
 std::size_t Chunker::be_length() const {
-  std::size_t length = length_of(Class::kBe);
+  std::size_t length = length_of(WordClass::kBe);
   if (length == 0) return 0;
   while (i_ + length < tokens_.size() && tokens_[i_ + length].kind == Token::Kind::kWord) {
     const std::size_t at = i_ + length;
-    const std::size_t again = lexicon_.find(tokens_, at, Class::kBe).length;
+    const std::size_t again = lexicon_.find(tokens_, at, WordClass::kBe).length;
     if (again > 0) {
       length += again;
       continue;
     }
     // A relation phrase that begins with the participle ("is flanked by", "is centered on") is left to be read as one.
     const PhraseMatch phrase = lexicon_.find_phrase(tokens_, at);
-    if (lexicon_.find(tokens_, at, Class::kHave).length > 1) break;
-    if (phrase.length > 1 || (phrase.length == 1 && !lexicon_.is(tokens_[at], Class::kParticiple))) break;
-    const std::size_t more = std::max({lexicon_.find(tokens_, at, Class::kParticiple).length,
-                                       lexicon_.find(tokens_, at, Class::kHang).length, lexicon_.find(tokens_, at, Class::kAdverb).length});
+    if (lexicon_.find(tokens_, at, WordClass::kHave).length > 1) break;
+    if (phrase.length > 1 || (phrase.length == 1 && !lexicon_.is(tokens_[at], WordClass::kParticiple))) break;
+    const std::size_t more =
+        std::max({lexicon_.find(tokens_, at, WordClass::kParticiple).length, lexicon_.find(tokens_, at, WordClass::kHang).length,
+                  lexicon_.find(tokens_, at, WordClass::kAdverb).length});
     if (more == 0) break;
     length += more;
   }
@@ -401,19 +402,19 @@ std::size_t Chunker::be_length() const {
 
 void Chunker::read_small_word() {
   const Match match = lexicon_.find(tokens_, i_);
-  const auto is = [&](Class word_class) {
+  const auto is = [&](WordClass word_class) {
     return std::any_of(match.meanings.begin(), match.meanings.end(), [&](const Meaning& m) { return m.word_class == word_class; });
   };
-  if (match.length > 0 && (is(Class::kVerb) || is(Class::kDoer))) {
+  if (match.length > 0 && (is(WordClass::kVerb) || is(WordClass::kDoer))) {
     add(ChunkKind::kPurpose, match.length);  // what such a verb says of the room is no placing
     return;
   }
-  if (is(Class::kColor) || is(Class::kMaterial) || is(Class::kSizeWord) || is(Class::kShape) || is(Class::kStyle)) {
+  if (is(WordClass::kColor) || is(WordClass::kMaterial) || is(WordClass::kSizeWord) || is(WordClass::kShape) || is(WordClass::kStyle)) {
     add(ChunkKind::kAttribute, match.length);
     return;
   }
   // "a wardrobe blocks the corner": a thing's name that is a verb here.
-  const bool verb = match.length == 1 && !is(Class::kFiller) && !is(Class::kAdverb) && !is(Class::kCommand) &&
+  const bool verb = match.length == 1 && !is(WordClass::kFiller) && !is(WordClass::kAdverb) && !is(WordClass::kCommand) &&
                     previous() == ChunkKind::kNoun && i_ + 1 < tokens_.size() && tokens_[i_].text.ends_with("s") &&
                     opens_noun(tokens_[i_ + 1]);
   if (verb) {

@@ -12,8 +12,6 @@
 namespace layoutbox::offline {
 namespace {
 
-using Class = WordClass;
-
 constexpr std::array<std::array<std::string_view, 3>, 11> kMarkers{{{"no", "wait", ""},
                                                                     {"wait", "no", ""},
                                                                     {"scratch", "that", ""},
@@ -43,7 +41,7 @@ std::size_t marker_at(const std::vector<Token>& tokens, std::size_t at) {
 }
 
 bool is_count(const Lexicon& lexicon, const Token& token) {
-  return token.kind == Token::Kind::kNumber || lexicon.is(token, Class::kNumber);
+  return token.kind == Token::Kind::kNumber || lexicon.is(token, WordClass::kNumber);
 }
 
 // "make that", "make it", "make them".
@@ -127,7 +125,7 @@ class Retakes : public TokenReader {
     if (!is_article(at)) return std::nullopt;
     for (std::size_t noun = at + 1; noun <= at + 1 + kAdjectives && !ends(noun); ++noun) {
       const Match match = lexicon_.find(tokens_, noun);
-      if (meaning_of(match, Class::kObject) != nullptr) return Named{at, noun + match.length - 1, noun + match.length};
+      if (meaning_of(match, WordClass::kObject) != nullptr) return Named{at, noun + match.length - 1, noun + match.length};
       if (attribute_of(match) == nullptr && (match.length > 0 || lexicon_.find_phrase(tokens_, noun).length > 0)) break;
     }
     return std::nullopt;
@@ -167,15 +165,15 @@ void read_corrected_counts(const Lexicon& lexicon, Document& document, std::vect
   std::vector<Token>& tokens = document.tokens;
   for (std::size_t i = 1; i + 2 < tokens.size(); ++i) {
     if (!makes(tokens, i) || !is_count(lexicon, tokens[i + 2])) continue;
-    const bool ends = i + 3 >= tokens.size() || tokens[i + 3].kind == Token::Kind::kPunctuation || lexicon.is(tokens[i + 3], Class::kAnd) ||
-                      tokens[i + 3].text == "please";
+    const bool ends = i + 3 >= tokens.size() || tokens[i + 3].kind == Token::Kind::kPunctuation ||
+                      lexicon.is(tokens[i + 3], WordClass::kAnd) || tokens[i + 3].text == "please";
     const std::size_t lead = lead_of(tokens, i);
     if (!ends || lead == 0) continue;
     std::size_t counted = lead;
-    while (counted-- > 0 && !is_count(lexicon, tokens[counted]) && !lexicon.is(tokens[counted], Class::kIndefinite)) {
+    while (counted-- > 0 && !is_count(lexicon, tokens[counted]) && !lexicon.is(tokens[counted], WordClass::kIndefinite)) {
       if (counted == 0 || (tokens[counted].ends_sentence && counted + 1 < lead)) break;
     }
-    if (counted >= lead || (!is_count(lexicon, tokens[counted]) && !lexicon.is(tokens[counted], Class::kIndefinite))) continue;
+    if (counted >= lead || (!is_count(lexicon, tokens[counted]) && !lexicon.is(tokens[counted], WordClass::kIndefinite))) continue;
     tokens[counted].text = tokens[i + 2].text;
     tokens[counted].kind = tokens[i + 2].kind;
     tokens[counted].number = tokens[i + 2].number;

@@ -6,8 +6,6 @@
 
 namespace layoutbox::offline {
 
-using Class = WordClass;
-
 namespace {
 
 bool is_by(const Token& token) { return token.text == "x" || token.text == "by" || token.text == "*"; }
@@ -46,7 +44,7 @@ void add_inches(const Lexicon& lexicon, std::span<const Token> tokens, std::size
 NumberRead read_number(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at) {
   if (at >= tokens.size()) return {};
   if (words_at(tokens, at, {"half", "a"})) return {0.5, 2};
-  if (words_at(tokens, at, {"half"}) && at + 1 < tokens.size() && lexicon.is(tokens[at + 1], Class::kUnit)) return {0.5, 1};
+  if (words_at(tokens, at, {"half"}) && at + 1 < tokens.size() && lexicon.is(tokens[at + 1], WordClass::kUnit)) return {0.5, 1};
   NumberRead read;
   if (tokens[at].kind == Token::Kind::kNumber) {
     if (fraction_at(tokens, at)) return {tokens[at].number / tokens[at + 1].number, 2};
@@ -56,9 +54,9 @@ NumberRead read_number(const Lexicon& lexicon, std::span<const Token> tokens, st
       read.length += 2;
     }
   } else {
-    const Match match = lexicon.find(tokens, at, Class::kNumber);
+    const Match match = lexicon.find(tokens, at, WordClass::kNumber);
     if (match.length == 0) return {};
-    read = {meaning_of(match, Class::kNumber)->value, match.length};
+    read = {meaning_of(match, WordClass::kNumber)->value, match.length};
   }
   if (words_at(tokens, at + read.length, {"and", "a", "half"})) {
     read.value += 0.5;
@@ -72,16 +70,16 @@ std::optional<Measure> read_measure(const Lexicon& lexicon, std::span<const Toke
   const std::size_t unit_at = at + digits;
   if (digits == 0 || unit_at >= tokens.size()) return std::nullopt;
   const std::string& unit_word = tokens[unit_at].text;
-  Match unit = lexicon.find(tokens, unit_at, Class::kUnit);
+  Match unit = lexicon.find(tokens, unit_at, WordClass::kUnit);
   double scale = 0;
-  if (unit.length > 0) scale = meaning_of(unit, Class::kUnit)->value;
+  if (unit.length > 0) scale = meaning_of(unit, WordClass::kUnit)->value;
   if (unit.length == 0 && unit_word == "\"") scale = kInch, unit.length = 1;
   if (unit.length == 0 && (unit_word == "'" || unit_word == "'s")) scale = kFoot, unit.length = 1;
   if (unit.length == 0) return std::nullopt;
   // "in" is a preposition unless a number stands right before it and no noun phrase follows.
   if (unit_word == "in" && tokens[at].kind == Token::Kind::kNumber && !tokens[unit_at].glued) {
     const bool more = unit_at + 1 < tokens.size() &&
-                      (lexicon.is(tokens[unit_at + 1], Class::kDefinite) || lexicon.is(tokens[unit_at + 1], Class::kIndefinite));
+                      (lexicon.is(tokens[unit_at + 1], WordClass::kDefinite) || lexicon.is(tokens[unit_at + 1], WordClass::kIndefinite));
     if (more) return std::nullopt;
   }
   if (unit_word == "in" && tokens[at].kind != Token::Kind::kNumber) return std::nullopt;
@@ -124,25 +122,25 @@ std::size_t read_size(const Lexicon& lexicon, std::span<const Token> tokens, std
   const auto measure = read_measure(lexicon, tokens, at);
   if (!measure) return 0;
   std::size_t i = at + measure->length;
-  const auto dimension = i < tokens.size() ? lexicon.find(tokens, i, Class::kDimension) : Match{};
+  const auto dimension = i < tokens.size() ? lexicon.find(tokens, i, WordClass::kDimension) : Match{};
   if (dimension.length == 0) return 0;
-  set_side(size, meaning_of(dimension, Class::kDimension)->word, measure->metres);
+  set_side(size, meaning_of(dimension, WordClass::kDimension)->word, measure->metres);
   return i + dimension.length - at;
 }
 
 std::size_t read_size_of(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at, SaidSize& size) {
   std::size_t i = at;
-  const auto skip = [&](std::initializer_list<Class> classes) {
-    for (const Class word_class : classes) i += i < tokens.size() ? lexicon.find(tokens, i, word_class).length : 0;
+  const auto skip = [&](std::initializer_list<WordClass> classes) {
+    for (const WordClass word_class : classes) i += i < tokens.size() ? lexicon.find(tokens, i, word_class).length : 0;
   };
   const auto dimension_at = [&](std::size_t place) {
-    return place < tokens.size() ? lexicon.find(tokens, place, Class::kDimension) : Match{};
+    return place < tokens.size() ? lexicon.find(tokens, place, WordClass::kDimension) : Match{};
   };
   // "of at least 1.6 m width"
   if (words_at(tokens, at, {"of"})) {
     ++i;
-    skip({Class::kAtLeast, Class::kAtMost, Class::kExactly});
-    const std::size_t length = i > at + 1 || lexicon.find(tokens, i, Class::kNumber).length > 0 ||
+    skip({WordClass::kAtLeast, WordClass::kAtMost, WordClass::kExactly});
+    const std::size_t length = i > at + 1 || lexicon.find(tokens, i, WordClass::kNumber).length > 0 ||
                                        tokens[std::min(i, tokens.size() - 1)].kind == Token::Kind::kNumber
                                    ? read_size(lexicon, tokens, i, size)
                                    : 0;
@@ -162,27 +160,28 @@ std::size_t read_size_of(const Lexicon& lexicon, std::span<const Token> tokens, 
   }
   // "with a diameter of 1.2 m", "its height of 90 cm", "width 6 m", "depth: 4 m"
   if (words_at(tokens, i, {"with"})) ++i;
-  skip({Class::kIndefinite, Class::kDefinite, Class::kPossessive});
+  skip({WordClass::kIndefinite, WordClass::kDefinite, WordClass::kPossessive});
   const Match dimension = dimension_at(i);
   if (dimension.length == 0) return 0;
   const bool linked = words_at(tokens, i + dimension.length, {"of"}) || words_at(tokens, i + dimension.length, {":"}) ||
                       words_at(tokens, i + dimension.length, {"="});
   if (!linked && !names_side(tokens[i])) return 0;  // "width 6 m"
   i += dimension.length + (linked ? 1 : 0);
-  skip({Class::kAtLeast, Class::kAtMost, Class::kExactly});
+  skip({WordClass::kAtLeast, WordClass::kAtMost, WordClass::kExactly});
   const auto measure = i < tokens.size() ? read_measure(lexicon, tokens, i) : std::nullopt;
   if (!measure) return 0;
-  set_side(size, meaning_of(dimension, Class::kDimension)->word, measure->metres);
+  set_side(size, meaning_of(dimension, WordClass::kDimension)->word, measure->metres);
   return i + measure->length - at;
 }
 
 bool noun_goes_on(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at) {
-  if (at >= tokens.size() || tokens[at].kind != Token::Kind::kWord || lexicon.is(tokens[at], Class::kAnd) ||
-      lexicon.is(tokens[at], Class::kBe) || lexicon.is(tokens[at], Class::kDefinite) || lexicon.is(tokens[at], Class::kIndefinite) ||
-      is_by(tokens[at]))
+  if (at >= tokens.size() || tokens[at].kind != Token::Kind::kWord || lexicon.is(tokens[at], WordClass::kAnd) ||
+      lexicon.is(tokens[at], WordClass::kBe) || lexicon.is(tokens[at], WordClass::kDefinite) ||
+      lexicon.is(tokens[at], WordClass::kIndefinite) || is_by(tokens[at]))
     return false;
   const Match match = lexicon.find(tokens, at);
-  if (has(match, Class::kObject) || has(match, Class::kDoor) || has(match, Class::kWindow) || attribute_of(match) != nullptr) return true;
+  if (has(match, WordClass::kObject) || has(match, WordClass::kDoor) || has(match, WordClass::kWindow) || attribute_of(match) != nullptr)
+    return true;
   static constexpr std::string_view kOfDistance[] = {"of", "from", "away", "apart", "off", "to", "in", "on", "at", "between"};
   return match.length == 0 && lexicon.find_phrase(tokens, at).length == 0 &&
          std::find(std::begin(kOfDistance), std::end(kOfDistance), tokens[at].text) == std::end(kOfDistance);
@@ -203,7 +202,7 @@ std::size_t read_size_before(const Lexicon& lexicon, std::span<const Token> toke
   // "a 9x12 rug": feet, where metres are too many for a thing; "a 2 x 3 rug" is in metres.
   constexpr double kMostMetres = 3.5;
   const std::size_t named_at = at + read.length;
-  const bool of_thing = plain && named_at < tokens.size() && has(lexicon.find(tokens, named_at), Class::kObject);
+  const bool of_thing = plain && named_at < tokens.size() && has(lexicon.find(tokens, named_at), WordClass::kObject);
   const bool feet = of_thing && !bare && std::max(read.numbers[0], read.numbers[1]) > kMostMetres;
   if ((read.united || bare || of_thing) && noun_goes_on(lexicon, tokens, named_at)) {
     const auto side = [&](std::size_t s) { return bare ? read.numbers[s] * kCentimetre : feet ? read.numbers[s] * kFoot : read.sides[s]; };
@@ -217,7 +216,7 @@ std::size_t read_size_before(const Lexicon& lexicon, std::span<const Token> toke
   if (!measure || !noun_goes_on(lexicon, tokens, at + measure->length)) return 0;
   // "two foot stools"
   const Match named = lexicon.find(tokens, at + measure->length - 1);
-  if (named.length > 1 && has(named, Class::kObject)) return 0;
+  if (named.length > 1 && has(named, WordClass::kObject)) return 0;
   size.span = measure->metres;
   return measure->length;
 }
@@ -238,7 +237,7 @@ SidesRead read_sides(const Lexicon& lexicon, std::span<const Token> tokens, std:
     if (measure) unit = value > 0 ? measure->metres / value : 1;
     i += measure ? measure->length : digits;
     // "4 m wide by 3 m deep"
-    const Match dimension = i < tokens.size() ? lexicon.find(tokens, i, Class::kDimension) : Match{};
+    const Match dimension = i < tokens.size() ? lexicon.find(tokens, i, WordClass::kDimension) : Match{};
     if (measure && dimension.length > 0 && i + dimension.length < tokens.size() && is_by(tokens[i + dimension.length]))
       i += dimension.length;
     if (i >= tokens.size() || !is_by(tokens[i]) || read_number(lexicon, tokens, i + 1).length == 0) break;

@@ -7,8 +7,6 @@
 
 namespace layoutbox::offline {
 
-using Class = WordClass;
-
 std::string text_of(std::span<const Token> tokens, std::size_t first, std::size_t last) {
   std::string text;
   for (std::size_t i = first; i < last; ++i) {
@@ -43,10 +41,10 @@ void NounPhraseReader::take_attributes(std::size_t until) {
       }
       phrase_.attributes.push_back(std::move(text));
       phrase_.attribute_classes.push_back(part.word_class);
-    } else if (part.word_class == Class::kWallWord) {
+    } else if (part.word_class == WordClass::kWallWord) {
       if (!phrase_.wall_word.empty()) phrase_.wall_word += ' ';
       phrase_.wall_word += part.meaning.word;
-    } else if (part.word_class == Class::kWallRelation) {
+    } else if (part.word_class == WordClass::kWallRelation) {
       phrase_.wall_relation = part.meaning.word;
     }
   }
@@ -96,19 +94,20 @@ void NounPhraseReader::settle_kind(const PhrasePart& head, std::size_t head_inde
   // The name: from the first word that is no plain attribute.
   std::size_t begin = head.first;
   for (std::size_t p = head_index; p-- > 0;) {
-    const Class c = parts_[p].word_class;
-    const bool in_name = c == Class::kObject || c == Class::kFiller || c == Class::kRoom || c == Class::kRoomNoun || c == Class::kPart ||
-                         c == Class::kAbstract || c == Class::kWall || c == Class::kFloor || c == Class::kCeiling || c == Class::kDoor ||
-                         c == Class::kWindow || c == Class::kCorner || c == Class::kCenter;
+    const WordClass c = parts_[p].word_class;
+    const bool in_name = c == WordClass::kObject || c == WordClass::kFiller || c == WordClass::kRoom || c == WordClass::kRoomNoun ||
+                         c == WordClass::kPart || c == WordClass::kAbstract || c == WordClass::kWall || c == WordClass::kFloor ||
+                         c == WordClass::kCeiling || c == WordClass::kDoor || c == WordClass::kWindow || c == WordClass::kCorner ||
+                         c == WordClass::kCenter;
     if (!in_name) break;
     const WordForm form = word_form(tokens_[parts_[p].last - 1].text);
-    if (c == Class::kFiller && (form == WordForm::kAdjective || form == WordForm::kAdverb)) break;
+    if (c == WordClass::kFiller && (form == WordForm::kAdjective || form == WordForm::kAdverb)) break;
     begin = parts_[p].first;
   }
   for (std::size_t p = 0; p < head_index; ++p) {
-    if (parts_[p].last <= begin && parts_[p].word_class == Class::kFiller) {
+    if (parts_[p].last <= begin && parts_[p].word_class == WordClass::kFiller) {
       phrase_.attributes.push_back(text_of(tokens_, parts_[p].first, parts_[p].last));
-      phrase_.attribute_classes.push_back(Class::kQuality);
+      phrase_.attribute_classes.push_back(WordClass::kQuality);
     }
   }
   if (phrase_.determiner == Determiner::kIndefinite && phrase_.count == 0) phrase_.plural = false;  // "a box of tissues"
@@ -209,22 +208,22 @@ void NounPhraseReader::settle_place(const PhrasePart& head) {
     phrase_.determiner = Determiner::kIndefinite;
   }
   switch (head.word_class) {
-    case Class::kWall: phrase_.kind = NounKind::kWall; break;
-    case Class::kCorner: phrase_.kind = NounKind::kCorner; break;
-    case Class::kCenter: phrase_.kind = NounKind::kCenter; break;
-    case Class::kFloor: phrase_.kind = NounKind::kFloor; break;
-    case Class::kCeiling: phrase_.kind = NounKind::kCeiling; break;
-    case Class::kDoor: phrase_.kind = NounKind::kDoor; break;
-    case Class::kWindow: phrase_.kind = NounKind::kWindow; break;
-    case Class::kRoom:
+    case WordClass::kWall: phrase_.kind = NounKind::kWall; break;
+    case WordClass::kCorner: phrase_.kind = NounKind::kCorner; break;
+    case WordClass::kCenter: phrase_.kind = NounKind::kCenter; break;
+    case WordClass::kFloor: phrase_.kind = NounKind::kFloor; break;
+    case WordClass::kCeiling: phrase_.kind = NounKind::kCeiling; break;
+    case WordClass::kDoor: phrase_.kind = NounKind::kDoor; break;
+    case WordClass::kWindow: phrase_.kind = NounKind::kWindow; break;
+    case WordClass::kRoom:
       phrase_.kind = NounKind::kRoom;
       phrase_.room = head.meaning.room;
       break;
-    case Class::kRoomNoun: phrase_.kind = NounKind::kRoom; break;
-    case Class::kOutsideRoom: phrase_.kind = NounKind::kOutsideRoom; break;
-    case Class::kSide:
-    case Class::kPart: phrase_.kind = NounKind::kPart; break;
-    case Class::kNiche: phrase_.kind = NounKind::kAbstract, phrase_.niche = true; break;
+    case WordClass::kRoomNoun: phrase_.kind = NounKind::kRoom; break;
+    case WordClass::kOutsideRoom: phrase_.kind = NounKind::kOutsideRoom; break;
+    case WordClass::kSide:
+    case WordClass::kPart: phrase_.kind = NounKind::kPart; break;
+    case WordClass::kNiche: phrase_.kind = NounKind::kAbstract, phrase_.niche = true; break;
     default: phrase_.kind = NounKind::kAbstract; break;
   }
 }
@@ -236,7 +235,7 @@ void NounPhraseReader::read_of() {
   if (read_sides(lexicon_, tokens_, i_ + 1).united) return;  // "a rug of 3 x 2 m"
   auto base = read_noun_phrase(lexicon_, tokens_, i_ + 1, true);
   if (!base && bare && (is_noun(noun_form(tokens_[i_ + 1].text)) || is_english(tokens_[i_ + 1].text)) &&
-      !lexicon_.is(tokens_[i_ + 1], Class::kDefinite)) {
+      !lexicon_.is(tokens_[i_ + 1], WordClass::kDefinite)) {
     phrase_.name += " of " + tokens_[i_ + 1].text;  // "a spool of solder": a verb elsewhere
     i_ += 2;
     return;
@@ -262,7 +261,7 @@ void NounPhraseReader::read_of() {
     // "a bar of lavender soap", "a tub of modeling clay": listed by what it is of, whatever is said of that.
     const std::vector<Token> called = tokenize(phrase_.name);
     const Match listed = lexicon_.find(called, 0);
-    if (const Meaning* thing = meaning_of(listed, Class::kObject); thing != nullptr && listed.length == called.size()) {
+    if (const Meaning* thing = meaning_of(listed, WordClass::kObject); thing != nullptr && listed.length == called.size()) {
       phrase_.entry = thing->entry;
       phrase_.category = thing->entry->id;
       return;

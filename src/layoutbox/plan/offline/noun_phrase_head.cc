@@ -12,8 +12,6 @@
 
 namespace layoutbox::offline {
 
-using Class = WordClass;
-
 // "an owl", "a cross"; no "leading", no "ride" of "ride-on".
 bool NounPhraseReader::is_thing_where_named(const PhrasePart& part) const {
   const std::string& word = tokens_[part.last - 1].text;
@@ -27,13 +25,14 @@ bool NounPhraseReader::is_thing(const PhrasePart& part) const {
   return form == WordForm::kThing || form == WordForm::kBody;
 }
 
-bool NounPhraseReader::has_attribute(Class word_class) const {
+bool NounPhraseReader::has_attribute(WordClass word_class) const {
   return std::find(phrase_.attribute_classes.begin(), phrase_.attribute_classes.end(), word_class) != phrase_.attribute_classes.end();
 }
 
 // "wooden mandir", "red zafu": a word that nobody knows, but what it looks like.
 bool NounPhraseReader::is_bodily_described() const {
-  return has_attribute(Class::kMaterial) || has_attribute(Class::kColor) || has_attribute(Class::kShape) || has_attribute(Class::kSizeWord);
+  return has_attribute(WordClass::kMaterial) || has_attribute(WordClass::kColor) || has_attribute(WordClass::kShape) ||
+         has_attribute(WordClass::kSizeWord);
 }
 
 // "; transceiver on the desk", "- sconce, mirror": a word that nobody knows where a thing is named without its article. Not the first
@@ -44,11 +43,12 @@ bool NounPhraseReader::is_unknown_subject(const PhrasePart& part) const {
   if (part.last != part.first + 1 || part.first != phrase_.first || part.first == 0 || word.text.size() < kShortest) return false;
   const Token& before = tokens_[part.first - 1];
   if (word.capital && !(before.ends_sentence && lexicon_.find_phrase(tokens_, part.last).length > 0)) return false;
-  if (before.kind != Token::Kind::kPunctuation && !lexicon_.is(before, Class::kAnd)) return false;
+  if (before.kind != Token::Kind::kPunctuation && !lexicon_.is(before, WordClass::kAnd)) return false;
   if (lexicon_.find_phrase(tokens_, part.last).length > 0) return true;
-  const bool listed = part.last + 1 < tokens_.size() && (tokens_[part.last].text == "," || lexicon_.is(tokens_[part.last], Class::kAnd));
-  return listed && (lexicon_.find(tokens_, part.last + 1, Class::kObject).length > 0 ||
-                    lexicon_.find(tokens_, part.last + 2, Class::kObject).length > 0);
+  const bool listed =
+      part.last + 1 < tokens_.size() && (tokens_[part.last].text == "," || lexicon_.is(tokens_[part.last], WordClass::kAnd));
+  return listed && (lexicon_.find(tokens_, part.last + 1, WordClass::kObject).length > 0 ||
+                    lexicon_.find(tokens_, part.last + 2, WordClass::kObject).length > 0);
 }
 
 // "two blue cases", "a game case", "a metal case"; a plain "case" is none.
@@ -57,14 +57,14 @@ bool NounPhraseReader::is_rare_thing(const PhrasePart& part, std::size_t head) c
   if (word.ends_with("ing") || word.ends_with("ed") || noun_form(word) != WordForm::kRarelyThing) return false;
   const bool counted = counted_ && !phrase_.vague && phrase_.count > 1;
   const bool compound = is_compound(head);
-  return counted || compound || has_attribute(Class::kColor) || has_attribute(Class::kMaterial);
+  return counted || compound || has_attribute(WordClass::kColor) || has_attribute(WordClass::kMaterial);
 }
 
 // "drawing board", "flannel board", "cardboard tubes": compounds of a head that usually is a thing; "wooden boards" are stuff.
 bool NounPhraseReader::has_telling_head(const PhrasePart& part, std::size_t head) const {
   if (head == 0 || parts_[head - 1].last != part.first || !is_kin_head(singular_of(tokens_[part.last - 1].text))) return false;
-  const Class before = parts_[head - 1].word_class;
-  return before == Class::kFiller || before == Class::kObject || (before == Class::kMaterial && !part.plural);
+  const WordClass before = parts_[head - 1].word_class;
+  return before == WordClass::kFiller || before == WordClass::kObject || (before == WordClass::kMaterial && !part.plural);
 }
 
 // "a kettlebell set", "a first aid kit": the things themselves, as one.
@@ -72,8 +72,8 @@ void NounPhraseReader::join_set(std::size_t& head) {
   if (head < 2) return;
   const PhrasePart& last = parts_[head - 1];
   PhrasePart& thing = parts_[head - 2];
-  if (thing.word_class != Class::kObject || thing.last != last.first || thing.last + 1 != last.last || last.word_class == Class::kObject ||
-      lexicon_.set_of(text_of(tokens_, thing.first, last.last)) != nullptr)
+  if (thing.word_class != WordClass::kObject || thing.last != last.first || thing.last + 1 != last.last ||
+      last.word_class == WordClass::kObject || lexicon_.set_of(text_of(tokens_, thing.first, last.last)) != nullptr)
     return;
   const std::string word = singular_of(tokens_[last.first].text);
   if (!one_of(word, WordSet::kTogether)) return;
@@ -87,7 +87,7 @@ void NounPhraseReader::join_set(std::size_t& head) {
 std::size_t NounPhraseReader::drop_thing(std::size_t& head) {
   if (head < 2 || head != parts_.size()) return 0;
   const PhrasePart &last = parts_[head - 1], &named = parts_[head - 2];
-  if (named.word_class != Class::kObject || named.last != last.first || last.last != last.first + 1 ||
+  if (named.word_class != WordClass::kObject || named.last != last.first || last.last != last.first + 1 ||
       !one_of(tokens_[last.first].text, WordSet::kVagueThings))
     return 0;
   const std::size_t end = last.last;
@@ -100,19 +100,21 @@ std::size_t NounPhraseReader::drop_thing(std::size_t& head) {
 
 // "one overturned", "two broken": so many of those that were named.
 bool NounPhraseReader::is_described_member() const {
-  if (!counted_ || parts_.size() != 1 || parts_.front().word_class != Class::kFiller || parts_.front().last != parts_.front().first + 1)
+  if (!counted_ || parts_.size() != 1 || parts_.front().word_class != WordClass::kFiller || parts_.front().last != parts_.front().first + 1)
     return false;
   const std::string& word = tokens_[parts_.front().first].text;
   const std::size_t after = parts_.front().last;
-  const bool ends = after >= tokens_.size() || tokens_[after].kind == Token::Kind::kPunctuation || lexicon_.is(tokens_[after], Class::kAnd);
+  const bool ends =
+      after >= tokens_.size() || tokens_[after].kind == Token::Kind::kPunctuation || lexicon_.is(tokens_[after], WordClass::kAnd);
   return ends && phrase_.first + 2 == after && word.ends_with("ed") && !is_noun(word_form(word));
 }
 
 // "the TV wall": the TV on it. Where the phrase ends then, 0 where it is another wall.
 std::size_t NounPhraseReader::drop_own_wall(std::size_t& head) {
-  if (head < 2 || parts_[head - 1].word_class != Class::kWall || parts_[head - 2].last != parts_[head - 1].first) return 0;
-  const Meaning* screen = meaning_of(lexicon_.find(tokens_, parts_[head - 2].first, Class::kObject), Class::kObject);
-  if (parts_[head - 2].word_class != Class::kObject || screen == nullptr || screen->entry == nullptr || !screen->entry->is(Trait::kScreen))
+  if (head < 2 || parts_[head - 1].word_class != WordClass::kWall || parts_[head - 2].last != parts_[head - 1].first) return 0;
+  const Meaning* screen = meaning_of(lexicon_.find(tokens_, parts_[head - 2].first, WordClass::kObject), WordClass::kObject);
+  if (parts_[head - 2].word_class != WordClass::kObject || screen == nullptr || screen->entry == nullptr ||
+      !screen->entry->is(Trait::kScreen))
     return 0;
   const std::size_t end = parts_[head - 1].last;
   parts_.pop_back();
@@ -125,8 +127,8 @@ bool NounPhraseReader::is_compound(std::size_t head) const {
   if (head == 0 || parts_[head - 1].last != parts_[head].first) return false;
   const PhrasePart& before = parts_[head - 1];
   const std::string& word = tokens_[before.last - 1].text;
-  if (before.word_class == Class::kObject || before.word_class == Class::kZone) return !before.plural;
-  if (before.word_class != Class::kFiller || word.ends_with("ing") || word.ends_with("ed")) return false;
+  if (before.word_class == WordClass::kObject || before.word_class == WordClass::kZone) return !before.plural;
+  if (before.word_class != WordClass::kFiller || word.ends_with("ing") || word.ends_with("ed")) return false;
   WordForm form = word_form(word);
   if (form == WordForm::kVerb) form = noun_form(word);  // "a call button"
   return is_noun(form) || form == WordForm::kUnknown;
@@ -142,24 +144,25 @@ bool NounPhraseReader::is_modeled(std::size_t head) const {
 bool NounPhraseReader::is_thing_by_name(std::size_t head) const {
   const PhrasePart& part = parts_[head];
   const std::string& word = tokens_[part.last - 1].text;
-  const bool station = part.word_class == Class::kZone && singular_of(word) == "station";
+  const bool station = part.word_class == WordClass::kZone && singular_of(word) == "station";
   if (station && is_compound(head)) return true;
   if (!is_modeled(head)) return false;
   constexpr std::size_t kOpening = 3;  // "a miniature house with …" is what the text is about
-  if (part.word_class == Class::kRoom || part.word_class == Class::kRoomNoun) return phrase_.first >= kOpening && is_compound(head);
-  return station || (part.word_class == Class::kAbstract && is_thing_where_named(part));
+  if (part.word_class == WordClass::kRoom || part.word_class == WordClass::kRoomNoun) return phrase_.first >= kOpening && is_compound(head);
+  return station || (part.word_class == WordClass::kAbstract && is_thing_where_named(part));
 }
 
 // The head is the last noun; words after it that are not nouns were read too far.
 void NounPhraseReader::find_head(std::size_t& head) {
   for (head = parts_.size(); head > 0; --head) {
     PhrasePart& part = parts_[head - 1];
-    if (!is_attribute_class(part.word_class) && part.word_class != Class::kWallWord && part.word_class != Class::kWallRelation) return;
+    if (!is_attribute_class(part.word_class) && part.word_class != WordClass::kWallWord && part.word_class != WordClass::kWallRelation)
+      return;
     // "a climbing cube", "two wooden spheres"
-    const bool shape = part.word_class == Class::kShape && head == parts_.size() && is_noun(word_form(tokens_[part.last - 1].text));
+    const bool shape = part.word_class == WordClass::kShape && head == parts_.size() && is_noun(word_form(tokens_[part.last - 1].text));
     if (shape && is_named() && !(part.first > 0 && tokens_[part.first - 1].text == "all") &&
         (head == 1 || parts_[head - 2].last == part.first)) {
-      part.word_class = Class::kFiller;
+      part.word_class = WordClass::kFiller;
       part.plural = plural_at(part.last - 1);
       shaped_ = true;
       return;
@@ -168,18 +171,19 @@ void NounPhraseReader::find_head(std::size_t& head) {
   if (parts_.empty()) return;
   PhrasePart& last = parts_.back();  // "a family": an adjective that is a noun as well
   const Match match = lexicon_.find(tokens_.first(last.last), last.first);
-  if (last.word_class != Class::kQuality || meaning_of(match, Class::kAbstract) == nullptr || phrase_.determiner != Determiner::kIndefinite)
+  if (last.word_class != WordClass::kQuality || meaning_of(match, WordClass::kAbstract) == nullptr ||
+      phrase_.determiner != Determiner::kIndefinite)
     return;
-  last.word_class = Class::kAbstract;
+  last.word_class = WordClass::kAbstract;
   head = parts_.size();
 }
 
 // "the left one", "a smaller one"
 NounPhrase NounPhraseReader::settle_member() {
   for (const PhrasePart& part : parts_) {
-    if (part.word_class != Class::kFiller) continue;
+    if (part.word_class != WordClass::kFiller) continue;
     phrase_.attributes.push_back(text_of(tokens_, part.first, part.last));
-    phrase_.attribute_classes.push_back(Class::kQuality);
+    phrase_.attribute_classes.push_back(WordClass::kQuality);
   }
   take_attributes(parts_.size());
   phrase_.last = i_;
@@ -187,20 +191,20 @@ NounPhrase NounPhraseReader::settle_member() {
 }
 
 bool joins_walls(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at) {
-  if (at + 1 >= tokens.size() || !lexicon.is(tokens[at], Class::kAnd)) return false;
-  const Match other = lexicon.find(tokens, at + 1, Class::kWallWord);
+  if (at + 1 >= tokens.size() || !lexicon.is(tokens[at], WordClass::kAnd)) return false;
+  const Match other = lexicon.find(tokens, at + 1, WordClass::kWallWord);
   const std::size_t wall = at + 1 + other.length;
   return other.length > 0 && wall < tokens.size() && tokens[wall].text == "walls";
 }
 
 // "along the north and east walls": the first of them.
 bool NounPhraseReader::read_first_wall() {
-  const Match one = lexicon_.find(tokens_, i_, Class::kWallWord);
+  const Match one = lexicon_.find(tokens_, i_, WordClass::kWallWord);
   const std::size_t joiner = i_ + one.length;
   if (one.length == 0 || !joins_walls(lexicon_, tokens_, joiner)) return false;
   phrase_.kind = NounKind::kWall;
   phrase_.name = phrase_.head = "wall";
-  phrase_.wall_word = meaning_of(one, Class::kWallWord)->word;
+  phrase_.wall_word = meaning_of(one, WordClass::kWallWord)->word;
   i_ = joiner;
   return true;
 }
@@ -251,15 +255,15 @@ bool NounPhraseReader::is_daylight(const PhrasePart& part, std::size_t head) con
   const bool alone = part.last == part.first + 1 && tokens_[part.first].text == "light";
   if (!alone || head == 0 || counted_ || phrase_.determiner != Determiner::kNone) return false;
   return std::all_of(parts_.begin(), parts_.begin() + static_cast<std::ptrdiff_t>(head), [&](const PhrasePart& p) {
-    return p.word_class == Class::kQuality || p.word_class == Class::kWallWord ||
-           (p.word_class == Class::kFiller && word_form(tokens_[p.last - 1].text) == WordForm::kAdjective);
+    return p.word_class == WordClass::kQuality || p.word_class == WordClass::kWallWord ||
+           (p.word_class == WordClass::kFiller && word_form(tokens_[p.last - 1].text) == WordForm::kAdjective);
   });
 }
 
 // "a scriptorium with four desks", "bakehouse: …": what the text is about, and no list has, where English calls it a room or a house.
 bool NounPhraseReader::settle_unlisted_room(const PhrasePart& part) {
   const bool anew = phrase_.determiner == Determiner::kIndefinite || phrase_.determiner == Determiner::kNone;
-  const bool lab = std::ranges::any_of(parts_, [](const PhrasePart& p) { return p.word_class == Class::kRoom; });  // "a lab module"
+  const bool lab = std::ranges::any_of(parts_, [](const PhrasePart& p) { return p.word_class == WordClass::kRoom; });  // "a lab module"
   if (counted_ || part.plural || !anew || lab || !is_topic()) return false;
   std::string_view kinds = english_line(singular_of(tokens_[part.last - 1].text));
   const RoomKind* known = nullptr;
@@ -282,11 +286,11 @@ bool NounPhraseReader::settle_unlisted_room(const PhrasePart& part) {
 bool NounPhraseReader::is_topic() const {
   for (std::size_t i = 0; i < phrase_.first; ++i) {
     const Match match = lexicon_.find(tokens_, i);
-    if (has(match, Class::kObject) || has(match, Class::kRoom) || has(match, Class::kRoomNoun) ||
+    if (has(match, WordClass::kObject) || has(match, WordClass::kRoom) || has(match, WordClass::kRoomNoun) ||
         lexicon_.find_phrase(tokens_, i).length > 0)
       return false;
   }
-  return !more() || token().kind == Token::Kind::kPunctuation || lexicon_.is(token(), Class::kHave) ||
+  return !more() || token().kind == Token::Kind::kPunctuation || lexicon_.is(token(), WordClass::kHave) ||
          one_of(token().text, {"for", "where", "that", "in"});
 }
 
@@ -297,7 +301,7 @@ bool NounPhraseReader::settle_filler(std::size_t head) {
   const WordForm form = word_form(word), noun = noun_form(word);
   const bool named = phrase_.determiner != Determiner::kNone || counted_;
   take_attributes(head);
-  const bool ends = !more() || token().kind == Token::Kind::kPunctuation || lexicon_.is(token(), Class::kAnd) ||
+  const bool ends = !more() || token().kind == Token::Kind::kPunctuation || lexicon_.is(token(), WordClass::kAnd) ||
                     lexicon_.find_phrase(tokens_, i_).length > 0;
   const bool listed = !named && part.plural && ends &&  // "hooks on the wall", "with ribbon rolls and …"
                       (head == 0 ? noun == WordForm::kThing : is_compound(head) && (is_noun(noun) && noun != WordForm::kNoun));
@@ -306,7 +310,7 @@ bool NounPhraseReader::settle_filler(std::size_t head) {
                      (hyphenated(part.first) && !is_noun(form)) || (form == WordForm::kBody && part.plural && head == 0) ||
                      (named && (is_thing_where_named(part) || is_rare_thing(part, head) || (is_modeled(head) && is_compound(head)))) ||
                      listed || shaped_ || has_telling_head(part, head);
-  const bool made = form != WordForm::kAdverb && form != WordForm::kAdjective && named && has_attribute(Class::kMaterial);
+  const bool made = form != WordForm::kAdverb && form != WordForm::kAdjective && named && has_attribute(WordClass::kMaterial);
   const bool place = !named && is_place_name(part);
   if (!thing && !named && !is_noun(form)) return false;
   settle_object(part, head);
@@ -330,7 +334,7 @@ bool NounPhraseReader::counts_things(const PhrasePart& part) const {
 // "two fitting rooms at the back" of a shop: stalls in the room, where the catalogue has such a booth. Null: a room.
 const CatalogEntry* NounPhraseReader::stall_of(const PhrasePart& part) const {
   constexpr std::size_t kOpening = 3;  // "a fitting room with …" is what the text is about
-  if (part.word_class != Class::kRoom || part.first < kOpening) return nullptr;
+  if (part.word_class != WordClass::kRoom || part.first < kOpening) return nullptr;
   const std::string words = text_of(tokens_, part.first, part.last - 1) + (part.last - part.first > 1 ? " " : "") +
                             singular_of(tokens_[part.last - 1].text) + " booth";
   const CatalogEntry* entry = lexicon_.catalog().find_by_words(words);
@@ -347,23 +351,23 @@ bool NounPhraseReader::may_be_thing(const PhrasePart& part, std::size_t head) co
 // "a mizuhiki arrangement", "a feng shui piece": what word like that nobody knows may well be a thing.
 bool NounPhraseReader::follows_unknown_word(std::size_t head) const {
   const PhrasePart& before = parts_[head > 0 ? head - 1 : 0];
-  return head > 0 && before.word_class == Class::kFiller && word_form(tokens_[before.last - 1].text) == WordForm::kUnknown;
+  return head > 0 && before.word_class == WordClass::kFiller && word_form(tokens_[before.last - 1].text) == WordForm::kUnknown;
 }
 
 // A head that stands in the lists of places, rooms and parts.
 void NounPhraseReader::settle_listed(std::size_t head) {
   const PhrasePart part = parts_[head];
-  const PhrasePart as_thing{part.first, part.last, Class::kFiller, {Class::kFiller, nullptr, nullptr, 0, {}}, part.plural};
+  const PhrasePart as_thing{part.first, part.last, WordClass::kFiller, {WordClass::kFiller, nullptr, nullptr, 0, {}}, part.plural};
   const bool thing = is_thing_by_name(head);
   take_attributes(head);
   if (thing) return settle_object(as_thing, head);
   if (const CatalogEntry* stall = stall_of(part); stall != nullptr) {
-    const PhrasePart booth{part.first, part.last, Class::kObject, {Class::kObject, stall, nullptr, 0, stall->id}, part.plural};
+    const PhrasePart booth{part.first, part.last, WordClass::kObject, {WordClass::kObject, stall, nullptr, 0, stall->id}, part.plural};
     return settle_object(booth, head);
   }
   const bool new_here = counted_ || part.plural || phrase_.determiner == Determiner::kIndefinite;
-  const bool quality = meaning_of(lexicon_.find(tokens_.first(part.last), part.first), Class::kAbstract) != nullptr;  // "light colors"
-  if (part.word_class == Class::kPart && new_here && !quality &&
+  const bool quality = meaning_of(lexicon_.find(tokens_.first(part.last), part.first), WordClass::kAbstract) != nullptr;  // "light colors"
+  if (part.word_class == WordClass::kPart && new_here && !quality &&
       (part.meaning.entry != nullptr || is_compound(head) || counts_things(part))) {
     const NounPhrase opened = phrase_;
     settle_object(part.meaning.entry != nullptr ? part : as_thing, head);
@@ -409,9 +413,9 @@ std::optional<NounPhrase> NounPhraseReader::settle() {
   const std::size_t end = std::max(drop_thing(head), drop_own_wall(head));
   const PhrasePart part = parts_[head - 1];
   i_ = std::max(end, part.last);
-  if (part.word_class == Class::kFiller) {
+  if (part.word_class == WordClass::kFiller) {
     if (!settle_filler(head - 1)) return std::nullopt;
-  } else if (part.word_class == Class::kObject) {
+  } else if (part.word_class == WordClass::kObject) {
     take_attributes(head - 1);
     settle_object(part, head - 1);
     if (comes_from(part) || is_daylight(part, head - 1)) phrase_.kind = NounKind::kAbstract;
@@ -419,10 +423,10 @@ std::optional<NounPhrase> NounPhraseReader::settle() {
     settle_listed(head - 1);
   }
   if (phrase_.kind == NounKind::kWall && phrase_.wall_word.empty() && more()) {  // "wall east"
-    const Match which = lexicon_.find(tokens_, i_, Class::kWallWord);
+    const Match which = lexicon_.find(tokens_, i_, WordClass::kWallWord);
     const std::size_t after = i_ + which.length;
     if (which.length > 0 && (after >= tokens_.size() || tokens_[after].kind == Token::Kind::kPunctuation)) {
-      phrase_.wall_word = meaning_of(which, Class::kWallWord)->word;
+      phrase_.wall_word = meaning_of(which, WordClass::kWallWord)->word;
       i_ = after;
     }
   }

@@ -11,16 +11,14 @@
 
 namespace layoutbox::offline {
 
-using Class = WordClass;
-
 // Nothing at `at` goes on with a name: the phrase is about members, no "rest area", "half wall".
 bool NounPhraseReader::name_ends(std::size_t at) const {
   if (at >= tokens_.size() || tokens_[at].kind != Token::Kind::kWord || lexicon_.find_phrase(tokens_, at).length > 0) return true;
   const Match next = lexicon_.find(tokens_, at);
-  static constexpr std::array kAfter = {Class::kBe,       Class::kHave,       Class::kVerb,   Class::kPlaceVerb,
-                                        Class::kHang,     Class::kParticiple, Class::kAnd,    Class::kIndefinite,
-                                        Class::kDefinite, Class::kClause,     Class::kAdverb, Class::kNumber};
-  return tokens_[at].text == "of" || std::ranges::any_of(kAfter, [&](Class word) { return has(next, word); });
+  static constexpr std::array kAfter = {WordClass::kBe,       WordClass::kHave,       WordClass::kVerb,   WordClass::kPlaceVerb,
+                                        WordClass::kHang,     WordClass::kParticiple, WordClass::kAnd,    WordClass::kIndefinite,
+                                        WordClass::kDefinite, WordClass::kClause,     WordClass::kAdverb, WordClass::kNumber};
+  return tokens_[at].text == "of" || std::ranges::any_of(kAfter, [&](WordClass word) { return has(next, word); });
 }
 
 // "the rest", "the rest of the chairs", "the remainder"
@@ -63,7 +61,8 @@ bool NounPhraseReader::read_share() {
     return done_ = true;
   }
   const bool article = phrase_.determiner == Determiner::kIndefinite || phrase_.determiner == Determiner::kNone;
-  const bool of_all = share->second == 2 && i_ + 1 < tokens_.size() && lexicon_.is(tokens_[i_ + 1], Class::kDefinite);  // "half the chairs"
+  const bool of_all =
+      share->second == 2 && i_ + 1 < tokens_.size() && lexicon_.is(tokens_[i_ + 1], WordClass::kDefinite);  // "half the chairs"
   if (!article || !(of_all || at_word("of", 1))) return false;
   if (!of_all) ++i_;
   const Token of = tokens_[i_];
@@ -113,8 +112,8 @@ bool NounPhraseReader::read_rank() {
   const bool one = after < tokens_.size() && (tokens_[after].text == "one" || tokens_[after].text == "ones");
   const bool most = rank->first.ends_with("most");
   const Match head = after < tokens_.size() ? lexicon_.find(tokens_, after) : Match{};
-  const bool number = has(head, Class::kNumber) && !one;  // "the outer two"
-  const bool thing = has(head, Class::kObject) && !has(head, Class::kPart) && (most || rank->second == Rank::kMiddle);
+  const bool number = has(head, WordClass::kNumber) && !one;  // "the outer two"
+  const bool thing = has(head, WordClass::kObject) && !has(head, WordClass::kPart) && (most || rank->second == Rank::kMiddle);
   if (!one && !number && !(most && name_ends(after)) && !thing) return false;
   // "the center table" is one by name; "the middle table" one of several.
   if (thing && rank->first == "center") return false;
@@ -135,13 +134,13 @@ bool NounPhraseReader::read_superlative() {
   const std::string& word = token().text;
   const bool compared = one_of(word, WordSet::kCompared);
   if ((!word.ends_with("est") && !compared) || lexicon_.find_phrase(tokens_, i_).length > 0 ||
-      lexicon_.find(tokens_, i_, Class::kObject).length > 0)
+      lexicon_.find(tokens_, i_, WordClass::kObject).length > 0)
     return false;
   const std::size_t after = i_ + 1;
   const bool one = after < tokens_.size() && (tokens_[after].text == "one" || tokens_[after].text == "ones");
   if (noun_form(word) == WordForm::kThing || (!one && !name_ends(after))) return false;
   phrase_.attributes.push_back(word);
-  phrase_.attribute_classes.push_back(Class::kQuality);
+  phrase_.attribute_classes.push_back(WordClass::kQuality);
   if (at_word("of", 1)) {
     ++i_;
     if (!read_subset()) --i_;

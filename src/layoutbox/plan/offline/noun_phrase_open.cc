@@ -8,11 +8,9 @@
 
 namespace layoutbox::offline {
 
-using Class = WordClass;
-
 bool NounPhraseReader::read_count() {
   // "the other a stack of books" is two phrases.
-  if (phrase_.determiner == Determiner::kOther && lexicon_.is(token(), Class::kIndefinite)) return false;
+  if (phrase_.determiner == Determiner::kOther && lexicon_.is(token(), WordClass::kIndefinite)) return false;
   // "2 m long", "120 cm wide", "five-foot", "4-seater" are no counts.
   if (take_size()) return true;
   if (describes(i_)) return false;
@@ -23,7 +21,7 @@ bool NounPhraseReader::read_count() {
 bool NounPhraseReader::describes(std::size_t at) const {
   if (at + 2 >= tokens_.size() || tokens_[at + 1].kind != Token::Kind::kWord || tokens_[at + 2].kind != Token::Kind::kWord) return false;
   const bool digits = tokens_[at].kind == Token::Kind::kNumber;
-  if (!digits && lexicon_.find(tokens_, at, Class::kNumber).length != 1) return false;
+  if (!digits && lexicon_.find(tokens_, at, WordClass::kNumber).length != 1) return false;
   if (one_of(tokens_[at].text, WordSet::kCounting)) return false;
   if (one_of(tokens_[at + 1].text, WordSet::kContents))
     return tokens_[at + 2].text != "of" && lexicon_.find_phrase(tokens_, at + 2).length == 0;
@@ -36,7 +34,7 @@ void NounPhraseReader::stack_if_heaped() {
   constexpr std::string_view kStack = "stack";
   if (heaped_ == kStack && phrase_.count > 1) {
     phrase_.attributes.emplace_back("stacked");
-    phrase_.attribute_classes.push_back(Class::kQuality);
+    phrase_.attribute_classes.push_back(WordClass::kQuality);
   }
   heaped_ = {};
 }
@@ -69,12 +67,12 @@ std::string_view NounPhraseReader::heap_at(std::size_t at, std::size_t length) c
 
 // A number in words, or "several"; the word may belong to something longer or be an adjective.
 bool NounPhraseReader::read_number_word() {
-  const Match number = lexicon_.find(tokens_, i_, Class::kNumber), vague = lexicon_.find(tokens_, i_, Class::kVague);
+  const Match number = lexicon_.find(tokens_, i_, WordClass::kNumber), vague = lexicon_.find(tokens_, i_, WordClass::kVague);
   if (number.length == 0 && vague.length == 0) return false;
   const bool is_number = number.length >= vague.length;
   const Match& best = is_number ? number : vague;
   if (is_no_count(best, is_number)) return false;
-  const int value = static_cast<int>(meaning_of(best, is_number ? Class::kNumber : Class::kVague)->value);
+  const int value = static_cast<int>(meaning_of(best, is_number ? WordClass::kNumber : WordClass::kVague)->value);
   // "a pair of two chairs" stays two; "several dozen" is not worth more than several.
   // "two pairs of boots", "three dozen": so many times.
   const bool times = is_number && phrase_.count > 0 && (at_word("pairs") || at_word("pair") || at_word("dozen"));
@@ -89,8 +87,8 @@ bool NounPhraseReader::read_number_word() {
   for (std::size_t i = i_; i < i_ + best.length; ++i) paired_ |= tokens_[i].text == "pair" || tokens_[i].text == "pairs";
   i_ += best.length;
   if (is_number && value >= 20 && value < 100 && value % 10 == 0 && more()) {  // "twenty-five"
-    const Match ones = lexicon_.find(tokens_, i_, Class::kNumber);
-    const int more_by = ones.length == 1 ? static_cast<int>(meaning_of(ones, Class::kNumber)->value) : 0;
+    const Match ones = lexicon_.find(tokens_, i_, WordClass::kNumber);
+    const int more_by = ones.length == 1 ? static_cast<int>(meaning_of(ones, WordClass::kNumber)->value) : 0;
     if (more_by > 0 && more_by < 10) phrase_.count += more_by, i_ += 1;
   }
   if (is_number) read_upper_end();
@@ -100,12 +98,12 @@ bool NounPhraseReader::read_number_word() {
 bool NounPhraseReader::is_no_count(const Match& best, bool is_number) const {
   // Another word's longer meaning wins: "single bed", "one another", "twin-size".
   const Match any = at_word("dual") ? Match{} : lexicon_.find(tokens_, i_);
-  const bool so_many = any.plural && !has(any, Class::kObject) && attribute_of(any) != nullptr;  // "two seats" are no "two-seat"
-  if (any.length > best.length && !has(any, Class::kNumber) && !has(any, Class::kVague) && !so_many) return true;
+  const bool so_many = any.plural && !has(any, WordClass::kObject) && attribute_of(any) != nullptr;  // "two seats" are no "two-seat"
+  if (any.length > best.length && !has(any, WordClass::kNumber) && !has(any, WordClass::kVague) && !so_many) return true;
   // "a stack of planks" is one thing that stands on the floor, "a stack of plates" so many.
-  if (!is_number && best.length > 1 && lexicon_.is(tokens_[i_], Class::kIndefinite)) {
-    const Match pile = lexicon_.find(tokens_, i_ + 1, Class::kObject);
-    const Meaning* thing = meaning_of(pile, Class::kObject);
+  if (!is_number && best.length > 1 && lexicon_.is(tokens_[i_], WordClass::kIndefinite)) {
+    const Match pile = lexicon_.find(tokens_, i_ + 1, WordClass::kObject);
+    const Meaning* thing = meaning_of(pile, WordClass::kObject);
     const bool one = thing != nullptr && thing->entry != nullptr &&
                      (thing->entry->mount == Mount::kFloor || !plural_at(i_ + pile.length));  // "a pile of laundry"
     if (pile.length >= best.length && one) return true;
@@ -113,16 +111,16 @@ bool NounPhraseReader::is_no_count(const Match& best, bool is_number) const {
   const bool adjective = is_number && attribute_of(any) != nullptr;
   if (adjective && any.length == best.length && counted_) return true;
   // "two-seater", "three-legged": a compound adjective. "Twenty-five" is none.
-  if (best.length == 1 && !lexicon_.is(tokens_[std::min(i_ + 1, tokens_.size() - 1)], Class::kNumber) &&
+  if (best.length == 1 && !lexicon_.is(tokens_[std::min(i_ + 1, tokens_.size() - 1)], WordClass::kNumber) &&
       (hyphenated(i_ + 1) || (is_number && says_seats(i_ + 1))))
     return true;
   if (doubles_noun(i_)) return true;
   // "twin", "double", "single" and "full" are adjectives of beds and sofas as well: only "dual monitors" and the like are counts.
   if (!adjective) return false;
   const Match next = lexicon_.find(tokens_, i_ + best.length);
-  const Meaning* thing = meaning_of(next, Class::kObject);
+  const Meaning* thing = meaning_of(next, WordClass::kObject);
   if (at_word("double") && thing != nullptr && thing->entry != nullptr && thing->entry->mount == Mount::kFloor) return true;
-  return !next.plural || has(next, Class::kSizeWord);
+  return !next.plural || has(next, WordClass::kSizeWord);
 }
 
 // "three to five", "two or three"
@@ -134,7 +132,7 @@ void NounPhraseReader::read_upper_end() {
     i_ += 2;
     return;
   }
-  const Match upper = lexicon_.find(tokens_, i_ + 1, Class::kNumber);
+  const Match upper = lexicon_.find(tokens_, i_ + 1, WordClass::kNumber);
   if (upper.length > 0) i_ += 1 + upper.length, phrase_.at_least = true;
 }
 
@@ -143,7 +141,7 @@ bool NounPhraseReader::doubles_noun(std::size_t at) const {
   if (at + 1 >= tokens_.size() || !one_of(tokens_[at].text, WordSet::kDoubling)) return false;
   const Match next = lexicon_.find(tokens_, at + 1);
   if (tokens_[at + 1].text == "one") return true;  // "a double one"
-  return next.length > 0 && has(next, Class::kObject) && !next.plural;
+  return next.length > 0 && has(next, WordClass::kObject) && !next.plural;
 }
 
 // A size before the noun. "55-inch" is kept as an attribute as well.
@@ -152,7 +150,7 @@ bool NounPhraseReader::take_size() {
   if (taken == 0) return false;
   if (phrase_.size.span) {
     phrase_.attributes.push_back(text_of(tokens_, i_, i_ + taken));
-    phrase_.attribute_classes.push_back(Class::kSizeWord);
+    phrase_.attribute_classes.push_back(WordClass::kSizeWord);
   }
   i_ += taken;
   return true;
@@ -167,7 +165,7 @@ bool NounPhraseReader::read_clusters() {
   const int clusters = phrase_.count;
   i_ += 2;
   phrase_.count = 0;
-  const bool of_desks = more() && lexicon_.find(tokens_, i_).plural && has(lexicon_.find(tokens_, i_), Class::kObject);
+  const bool of_desks = more() && lexicon_.find(tokens_, i_).plural && has(lexicon_.find(tokens_, i_), WordClass::kObject);
   if ((!read_count() || phrase_.count == 0) && !of_desks) {
     i_ = at;
     phrase_.count = clusters;
@@ -182,13 +180,13 @@ bool NounPhraseReader::read_clusters() {
 bool NounPhraseReader::says_seats(std::size_t at) const {
   static constexpr std::string_view kWords[] = {"seater", "person", "seat", "place"};
   return at + 1 < tokens_.size() && std::find(std::begin(kWords), std::end(kWords), tokens_[at].text) != std::end(kWords) &&
-         tokens_[at + 1].kind == Token::Kind::kWord && has(lexicon_.find(tokens_, at + 1), Class::kObject);
+         tokens_[at + 1].kind == Token::Kind::kWord && has(lexicon_.find(tokens_, at + 1), WordClass::kObject);
 }
 
 // "two rows of four chairs", "a row of stools", "a bank of monitors".
 bool NounPhraseReader::read_rows() {
-  const bool columns = at_word("columns") && i_ + 2 < tokens_.size() && lexicon_.find(tokens_, i_ + 2, Class::kNumber).length > 0;
-  const bool known = has(lexicon_.find(tokens_, i_), Class::kObject);  // "a bank of drawers"
+  const bool columns = at_word("columns") && i_ + 2 < tokens_.size() && lexicon_.find(tokens_, i_ + 2, WordClass::kNumber).length > 0;
+  const bool known = has(lexicon_.find(tokens_, i_), WordClass::kObject);  // "a bank of drawers"
   const bool one = at_word("row") || at_word("line") || (at_word("bank") && !known);
   const bool several = at_word("rows") || at_word("lines") || columns || (at_word("banks") && !known);
   if ((!one && !several) || !at_word("of", 1) || i_ + 2 >= tokens_.size()) return false;
@@ -205,8 +203,8 @@ bool NounPhraseReader::read_subset() {
   if (!at_word("of") || i_ + 1 >= tokens_.size()) return false;
   const Token& next = tokens_[i_ + 1];
   if (next.text == "which" || next.text == "them" || next.text == "these" || next.text == "those" || next.text == "whom") {
-    const bool alone =
-        i_ + 2 >= tokens_.size() || !lexicon_.find(tokens_, i_ + 2, Class::kObject).length || next.text == "which" || next.text == "them";
+    const bool alone = i_ + 2 >= tokens_.size() || !lexicon_.find(tokens_, i_ + 2, WordClass::kObject).length || next.text == "which" ||
+                       next.text == "them";
     if (alone) {
       phrase_.kind = NounKind::kMember;
       phrase_.subset = true;
@@ -215,7 +213,7 @@ bool NounPhraseReader::read_subset() {
     }
   }
   const bool counted = phrase_.determiner == Determiner::kEach && number_follows(1);  // "in each of two corners"
-  if (lexicon_.is(next, Class::kDefinite) || lexicon_.is(next, Class::kPossessive) || counted) {
+  if (lexicon_.is(next, WordClass::kDefinite) || lexicon_.is(next, WordClass::kPossessive) || counted) {
     auto base = read_noun_phrase(lexicon_, tokens_, i_ + 1, false);
     const bool part_of_room = base && (base->kind == NounKind::kWall || base->kind == NounKind::kCorner ||
                                        base->kind == NounKind::kWindow || base->kind == NounKind::kDoor);
@@ -239,17 +237,20 @@ bool NounPhraseReader::read_subset() {
 }
 
 bool NounPhraseReader::read_pronoun() {
-  const Match pronoun = lexicon_.find(tokens_, i_, Class::kPronoun);
+  const Match pronoun = lexicon_.find(tokens_, i_, WordClass::kPronoun);
   if (pronoun.length == 0) return false;
   const std::string& text = token().text;
   const bool may_determine = text == "this" || text == "that" || text == "these" || text == "those";
   if (may_determine) {
     const Match next = lexicon_.find(tokens_, i_ + 1);
-    const bool place = lexicon_.find_phrase(tokens_, i_ + 1).length > 0 && !has(next, Class::kObject) && attribute_of(next) == nullptr &&
-                       !has(next, Class::kWallRelation) && !has(next, Class::kWallWord);                        // "put that by the window"
-    const bool number = (text == "that" || text == "this") && has(next, Class::kNumber) && !at_word("one", 1);  // "behind that two chairs"
-    const bool article = place || number || has(next, Class::kIndefinite) || has(next, Class::kDefinite);       // "between these a table"
-    if (next.length > 0 && !article && !has(next, Class::kBe) && !has(next, Class::kPlaceVerb)) return false;
+    const bool place = lexicon_.find_phrase(tokens_, i_ + 1).length > 0 && !has(next, WordClass::kObject) &&
+                       attribute_of(next) == nullptr && !has(next, WordClass::kWallRelation) &&
+                       !has(next, WordClass::kWallWord);  // "put that by the window"
+    const bool number =
+        (text == "that" || text == "this") && has(next, WordClass::kNumber) && !at_word("one", 1);  // "behind that two chairs"
+    const bool article =
+        place || number || has(next, WordClass::kIndefinite) || has(next, WordClass::kDefinite);  // "between these a table"
+    if (next.length > 0 && !article && !has(next, WordClass::kBe) && !has(next, WordClass::kPlaceVerb)) return false;
     if (next.length == 0 && i_ + 1 < tokens_.size() && tokens_[i_ + 1].kind == Token::Kind::kWord) return false;
   }
   phrase_.kind = NounKind::kPronoun;
@@ -263,16 +264,16 @@ bool NounPhraseReader::read_pronoun() {
 // A number follows after so many tokens, and no length.
 bool NounPhraseReader::number_follows(std::size_t length) const {
   return length > 0 && i_ + length < tokens_.size() &&
-         (tokens_[i_ + length].kind == Token::Kind::kNumber || lexicon_.find(tokens_, i_ + length, Class::kNumber).length > 0 ||
-          lexicon_.is(tokens_[i_ + length], Class::kIndefinite)) &&
+         (tokens_[i_ + length].kind == Token::Kind::kNumber || lexicon_.find(tokens_, i_ + length, WordClass::kNumber).length > 0 ||
+          lexicon_.is(tokens_[i_ + length], WordClass::kIndefinite)) &&
          !read_measure(lexicon_, tokens_, i_ + length);
 }
 
 // "at least three", "more than two", "exactly four".
 NounPhraseReader::Opening NounPhraseReader::read_bound() {
-  const Match at_least = lexicon_.find(tokens_, i_, Class::kAtLeast), more_than = lexicon_.find(tokens_, i_, Class::kMoreThan),
-              at_most = lexicon_.find(tokens_, i_, Class::kAtMost), exactly = lexicon_.find(tokens_, i_, Class::kExactly);
-  const auto is_article = [&](const Match& match) { return lexicon_.is(tokens_[i_ + match.length], Class::kIndefinite); };
+  const Match at_least = lexicon_.find(tokens_, i_, WordClass::kAtLeast), more_than = lexicon_.find(tokens_, i_, WordClass::kMoreThan),
+              at_most = lexicon_.find(tokens_, i_, WordClass::kAtMost), exactly = lexicon_.find(tokens_, i_, WordClass::kExactly);
+  const auto is_article = [&](const Match& match) { return lexicon_.is(tokens_[i_ + match.length], WordClass::kIndefinite); };
   if (number_follows(more_than.length) && !is_article(more_than)) {
     i_ += more_than.length;
     if (!read_count()) return Opening::kEnds;
@@ -292,7 +293,7 @@ NounPhraseReader::Opening NounPhraseReader::read_bound() {
   return Opening::kNothing;
 }
 
-bool NounPhraseReader::take(Class word_class, Determiner determiner) {
+bool NounPhraseReader::take(WordClass word_class, Determiner determiner) {
   const Match match = lexicon_.find(tokens_, i_, word_class);
   if (match.length == 0) return false;
   phrase_.determiner = determiner;
@@ -303,25 +304,25 @@ bool NounPhraseReader::take(Class word_class, Determiner determiner) {
 // The, a, my, another, each.
 NounPhraseReader::Opening NounPhraseReader::read_article() {
   // "on one a blanket", "above both a shelf"
-  if ((counted_ || phrase_.determiner == Determiner::kBoth) && lexicon_.is(token(), Class::kIndefinite)) return Opening::kEnds;
-  if (take(Class::kAnother, Determiner::kAnother)) {
+  if ((counted_ || phrase_.determiner == Determiner::kBoth) && lexicon_.is(token(), WordClass::kIndefinite)) return Opening::kEnds;
+  if (take(WordClass::kAnother, Determiner::kAnother)) {
     if (lexicon_.find_phrase(tokens_, i_).length < 2 || !(at_word("left") || at_word("right"))) return Opening::kGoesOn;
     phrase_.kind = NounKind::kMember;  // "… and another right of it"
     done_ = true;
     return Opening::kDone;
   }
-  if (take(Class::kIndefinite, Determiner::kIndefinite)) {
+  if (take(WordClass::kIndefinite, Determiner::kIndefinite)) {
     if (at_word("few")) i_ += 1, phrase_.count = 3, phrase_.vague = counted_ = true;
     return Opening::kGoesOn;
   }
-  if (take(Class::kDefinite, Determiner::kDefinite)) return Opening::kGoesOn;
-  if (take(Class::kPossessive, Determiner::kPossessive)) {
+  if (take(WordClass::kDefinite, Determiner::kDefinite)) return Opening::kGoesOn;
+  if (take(WordClass::kPossessive, Determiner::kPossessive)) {
     if (at_word("own")) i_ += 1, phrase_.determiner = Determiner::kIndefinite;  // "each has its own locker"
     return Opening::kGoesOn;
   }
   // "one each side of the door": the sides begin there.
-  if (counted_ && i_ + 1 < tokens_.size() && lexicon_.is(tokens_[i_ + 1], Class::kSide)) return Opening::kEnds;
-  if (!take(Class::kEach, Determiner::kEach) && !take(Class::kBoth, Determiner::kBoth)) return Opening::kNothing;
+  if (counted_ && i_ + 1 < tokens_.size() && lexicon_.is(tokens_[i_ + 1], WordClass::kSide)) return Opening::kEnds;
+  if (!take(WordClass::kEach, Determiner::kEach) && !take(WordClass::kBoth, Determiner::kBoth)) return Opening::kNothing;
   return read_each();
 }
 
@@ -336,7 +337,7 @@ NounPhraseReader::Opening NounPhraseReader::read_each() {
   }
   // "each comes with a lamp": one of them would have no -s
   if (phrase_.determiner == Determiner::kEach && more() && plural_at(i_) && may_be_verb(singular_of(token().text)) &&
-      meaning_of(lexicon_.find(tokens_, i_), Class::kObject) == nullptr) {
+      meaning_of(lexicon_.find(tokens_, i_), WordClass::kObject) == nullptr) {
     phrase_.kind = NounKind::kMember;
     done_ = true;
     return Opening::kDone;
@@ -374,7 +375,7 @@ NounPhraseReader::Opening NounPhraseReader::read_opening() {
     ++i_;
     return Opening::kEnds;
   }
-  const Match other = lexicon_.find(tokens_, i_, Class::kOther);
+  const Match other = lexicon_.find(tokens_, i_, WordClass::kOther);
   if (other.length == 0 || (phrase_.determiner != Determiner::kDefinite && !counted_ && !at_word("other"))) return Opening::kEnds;
   phrase_.determiner = Determiner::kOther;
   i_ += other.length;

@@ -12,9 +12,7 @@
 
 namespace layoutbox::offline {
 
-using Class = WordClass;
-
-bool NounPhraseReader::add(Class word_class, const Meaning& meaning, std::size_t length, bool plural) {
+bool NounPhraseReader::add(WordClass word_class, const Meaning& meaning, std::size_t length, bool plural) {
   parts_.push_back({i_, i_ + length, word_class, meaning, plural});
   i_ += length;
   return true;
@@ -28,19 +26,19 @@ bool NounPhraseReader::names_on(const Match& match) const {
   const bool one = phrase_.determiner == Determiner::kIndefinite && phrase_.count == 0 && !parts_.back().plural && !plural_at(i_) &&
                    !text.ends_with("ed") && !text.ends_with("ing");
   return std::all_of(match.meanings.begin(), match.meanings.end(), [&](const Meaning& m) {
-    const bool verb = m.word_class == Class::kVerb || m.word_class == Class::kPurpose;
-    return m.word_class == Class::kCommand || m.word_class == Class::kUnit || (one && verb);
+    const bool verb = m.word_class == WordClass::kVerb || m.word_class == WordClass::kPurpose;
+    return m.word_class == WordClass::kCommand || m.word_class == WordClass::kUnit || (one && verb);
   });
 }
 
 // "a wreath stand", "an owl perch", "the witness stand": after one thing a verb would have its -s; but "let a lamp stand".
 bool NounPhraseReader::names_after_one(const Match& match) const {
   const std::string& text = token().text;
-  if (match.length != 1 || parts_.empty() || parts_.back().last != i_ || parts_.back().plural || has(match, Class::kParticiple))
+  if (match.length != 1 || parts_.empty() || parts_.back().last != i_ || parts_.back().plural || has(match, WordClass::kParticiple))
     return false;
   const std::string& named = tokens_[i_ - 1].text;  // "a truing stand", "a wig stand"
-  const bool noun = parts_.back().word_class == Class::kObject ||
-                    (parts_.back().word_class == Class::kFiller && (named.ends_with("ing") || is_noun(word_form(named))));
+  const bool noun = parts_.back().word_class == WordClass::kObject ||
+                    (parts_.back().word_class == WordClass::kFiller && (named.ends_with("ing") || is_noun(word_form(named))));
   // "; thurible stand, in a corner"
   const bool item = phrase_.determiner == Determiner::kNone && bare_ && phrase_.first > 0 && tokens_[phrase_.first - 1].ends_sentence;
   const bool told = phrase_.determiner == Determiner::kDefinite && phrase_.first > 0 &&
@@ -51,7 +49,7 @@ bool NounPhraseReader::names_after_one(const Match& match) const {
   if (plural_at(i_) || text.ends_with("ed") || text.ends_with("ing") || opens_at(i_ + 1)) return false;
   if (phrase_.first == 0) return true;
   const Token& before = tokens_[phrase_.first - 1];  // "a table and a lamp stand in the corner": of both
-  return !lexicon_.is(before, Class::kAnd) && !one_of(before.text, WordSet::kCausing);
+  return !lexicon_.is(before, WordClass::kAnd) && !one_of(before.text, WordSet::kCausing);
 }
 
 bool NounPhraseReader::read_part() {
@@ -61,7 +59,7 @@ bool NounPhraseReader::read_part() {
   match = without_attribute(without_verb(match));
   if (ends_before(match)) return false;
   const bool noun_before = std::any_of(parts_.begin(), parts_.end(), [](const PhrasePart& p) {
-    return !is_attribute_class(p.word_class) && p.word_class != Class::kFiller && p.word_class != Class::kWallWord;
+    return !is_attribute_class(p.word_class) && p.word_class != WordClass::kFiller && p.word_class != WordClass::kWallWord;
   });
   if (match.length > 0 && !is_verb_in_name(match) && !names_on(match)) return read_listed(match, noun_before);
   return read_unlisted();
@@ -72,50 +70,51 @@ bool NounPhraseReader::counts_plural(const Match& match) const {
   const WordForm form = noun_form(token().text);
   const bool named = parts_.empty() || (parts_.back().last == i_ && !parts_.back().plural);
   // "a stack of paper rests on the desk", "a pair of binoculars": one heap of them.
-  if (!parts_.empty() && phrase_.first < i_ && lexicon_.is(tokens_[phrase_.first], Class::kIndefinite)) return false;
+  if (!parts_.empty() && phrase_.first < i_ && lexicon_.is(tokens_[phrase_.first], WordClass::kIndefinite)) return false;
   return match.length == 1 && named && phrase_.count > 1 && plural_at(i_) && !opens_at(i_ + 1) &&
-         meaning_of(match, Class::kObject) == nullptr && meaning_of(match, Class::kPart) == nullptr &&
+         meaning_of(match, WordClass::kObject) == nullptr && meaning_of(match, WordClass::kPart) == nullptr &&
          (form == WordForm::kThing || form == WordForm::kBody || form == WordForm::kRarelyThing);
 }
 
 // "two grab rails": after a number or an article, before a thing, no verb.
 bool NounPhraseReader::is_verb_in_name(const Match& match) const {
   if (counts_plural(match)) {
-    constexpr std::array kVerbs = {Class::kVerb, Class::kPlaceVerb, Class::kHave, Class::kPurpose, Class::kCommand, Class::kHang};
-    return std::ranges::any_of(kVerbs, [&](Class verb) { return has(match, verb); });
+    constexpr std::array kVerbs = {WordClass::kVerb,    WordClass::kPlaceVerb, WordClass::kHave,
+                                   WordClass::kPurpose, WordClass::kCommand,   WordClass::kHang};
+    return std::ranges::any_of(kVerbs, [&](WordClass verb) { return has(match, verb); });
   }
   // "a reflecting telescope": after an article, what the thing does.
   const bool doing = match.length == 1 && parts_.empty() && phrase_.determiner == Determiner::kIndefinite && !counted_ &&
-                     token().text.ends_with("ing") && i_ + 1 < tokens_.size() && has(lexicon_.find(tokens_, i_ + 1), Class::kObject);
+                     token().text.ends_with("ing") && i_ + 1 < tokens_.size() && has(lexicon_.find(tokens_, i_ + 1), WordClass::kObject);
   if (doing) {
     return std::ranges::all_of(match.meanings,
-                               [](const Meaning& m) { return m.word_class == Class::kVerb || m.word_class == Class::kPurpose; });
+                               [](const Meaning& m) { return m.word_class == WordClass::kVerb || m.word_class == WordClass::kPurpose; });
   }
   if (match.length != 1 || !parts_.empty() || !is_named() || token().text.size() < 2 || !is_noun(noun_form(token().text)) ||
       opens_at(i_ + 1))
     return false;
   if (phrase_.determiner == Determiner::kDefinite && i_ + 1 < tokens_.size() &&
       (tokens_[i_ + 1].text == "is" || tokens_[i_ + 1].text == "are"))
-    return has(match, Class::kVerb);  // "the highlight is a piano"
+    return has(match, WordClass::kVerb);  // "the highlight is a piano"
   const bool thing_follows = i_ + 1 < tokens_.size() && tokens_[i_ + 1].kind == Token::Kind::kWord &&
                              is_noun(noun_form(tokens_[i_ + 1].text)) && lexicon_.find_phrase(tokens_, i_ + 1).length == 0;
   return thing_follows && std::ranges::all_of(match.meanings, [](const Meaning& m) {
-           return m.word_class == Class::kCommand || m.word_class == Class::kVerb || m.word_class == Class::kDoer;
+           return m.word_class == WordClass::kCommand || m.word_class == WordClass::kVerb || m.word_class == WordClass::kDoer;
          });
 }
 
 bool NounPhraseReader::read_listed(const Match& match, bool noun_before) {
-  const Meaning* object = meaning_of(match, Class::kObject);
-  if (object != nullptr && has(match, Class::kRoom) && opens_text(i_ + match.length))
-    return add(Class::kRoom, *meaning_of(match, Class::kRoom), match.length, match.plural);
+  const Meaning* object = meaning_of(match, WordClass::kObject);
+  if (object != nullptr && has(match, WordClass::kRoom) && opens_text(i_ + match.length))
+    return add(WordClass::kRoom, *meaning_of(match, WordClass::kRoom), match.length, match.plural);
   // "mid-century style table", "tan colored rug": the word belongs to the attribute before it.
   if (!parts_.empty() && is_attribute_class(parts_.back().word_class) && match.length == 1 && one_of(token().text, WordSet::kLookEnds)) {
     parts_.back().last = i_ + 1;
     ++i_;
     return true;
   }
-  const bool verbal = has(match, Class::kParticiple) || has(match, Class::kPlaceVerb) || has(match, Class::kHang) ||
-                      has(match, Class::kHave) || has(match, Class::kVerb) || has(match, Class::kPurpose);
+  const bool verbal = has(match, WordClass::kParticiple) || has(match, WordClass::kPlaceVerb) || has(match, WordClass::kHang) ||
+                      has(match, WordClass::kHave) || has(match, WordClass::kVerb) || has(match, WordClass::kPurpose);
   if (const std::optional<bool> thing = read_thing(match, noun_before, verbal)) return *thing;
   if (const std::optional<bool> place = read_place(match, noun_before, verbal)) return *place;
   return read_other(match, noun_before);
@@ -123,11 +122,11 @@ bool NounPhraseReader::read_listed(const Match& match, bool noun_before) {
 
 // "A bar with a counter", "I want a pantry with shelves": what something is in, where nothing else was named before, is the room.
 bool NounPhraseReader::opens_text(std::size_t after) const {
-  if (after >= tokens_.size() || !lexicon_.is(tokens_[after], Class::kHave)) return false;
-  const bool had = phrase_.first > 0 && lexicon_.is(tokens_[phrase_.first - 1], Class::kHave);
+  if (after >= tokens_.size() || !lexicon_.is(tokens_[after], WordClass::kHave)) return false;
+  const bool had = phrase_.first > 0 && lexicon_.is(tokens_[phrase_.first - 1], WordClass::kHave);
   for (std::size_t i = 0; i < phrase_.first; ++i) {
-    if (had && lexicon_.find(tokens_, i, Class::kRoom).length > 0) return false;  // "a pub with a bar with five stools"
-    if (tokens_[i].kind == Token::Kind::kPunctuation || lexicon_.find(tokens_, i, Class::kObject).length > 0 ||
+    if (had && lexicon_.find(tokens_, i, WordClass::kRoom).length > 0) return false;  // "a pub with a bar with five stools"
+    if (tokens_[i].kind == Token::Kind::kPunctuation || lexicon_.find(tokens_, i, WordClass::kObject).length > 0 ||
         lexicon_.find_phrase(tokens_, i).length > 0)
       return false;
   }
@@ -136,7 +135,7 @@ bool NounPhraseReader::opens_text(std::size_t after) const {
 
 // A thing, a part of one, or an attribute; nothing where the words are none of these.
 std::optional<bool> NounPhraseReader::read_thing(const Match& match, bool noun_before, bool verbal) {
-  const Meaning* object = meaning_of(match, Class::kObject);
+  const Meaning* object = meaning_of(match, WordClass::kObject);
   const Meaning* attribute = attribute_of(match);
   // A noun that is a verb as well ("light", "plant", "stand", "frames") is a verb right after another noun, unless it ends a name.
   // "glass" before a noun is what the noun is made of; "drawers" are parts where both are listed.
@@ -144,31 +143,31 @@ std::optional<bool> NounPhraseReader::read_thing(const Match& match, bool noun_b
   const bool top = next < tokens_.size() && one_of(tokens_[next].text, {"top", "tops", "surface", "base"}) &&
                    !(next + 1 < tokens_.size() && tokens_[next + 1].text == "of");  // "with a glass top"
   if (attribute != nullptr && object != nullptr && match.length == 1 && !noun_before &&
-      (noun_after(next) || top || has(lexicon_.find(tokens_, next), Class::kAbstract)))  // "a mustard accent"
+      (noun_after(next) || top || has(lexicon_.find(tokens_, next), WordClass::kAbstract)))  // "a mustard accent"
     return add(attribute->word_class, *attribute, match.length, match.plural);
   Token single = token();
   single.text = singular_of(single.text);
-  const bool part = has(match, Class::kPart) || (match.length == 1 && lexicon_.is(single, Class::kPart));
+  const bool part = has(match, WordClass::kPart) || (match.length == 1 && lexicon_.is(single, WordClass::kPart));
   // "along the left wall fridge, stove and sink": a place and what stands there.
-  if (object != nullptr && !parts_.empty() && parts_.back().word_class == Class::kWall && parts_.size() > 1 &&
-      parts_[parts_.size() - 2].word_class == Class::kWallWord && object->entry->mount == Mount::kFloor && !hyphenated(i_))
+  if (object != nullptr && !parts_.empty() && parts_.back().word_class == WordClass::kWall && parts_.size() > 1 &&
+      parts_[parts_.size() - 2].word_class == WordClass::kWallWord && object->entry->mount == Mount::kFloor && !hyphenated(i_))
     return false;
   const bool covers =
       match.length == 1 && !parts_.empty() && parts_.back().plural && lexicon_.is_place_verb(token().text) && opens_at(i_ + 1);
   const bool verb = (verbal || covers) && noun_before && !hyphenated(i_) && !names_after_one(match);  // "curtains frame the window"
-  if (object != nullptr && !verb && !part) return add(Class::kObject, *object, match.length, match.plural);
-  if (object != nullptr && part) return add(Class::kPart, *object, match.length, match.plural);
-  if (part && match.length == 1 && has(match, Class::kPart)) {  // "two sinks": parts of a vanity, or things
+  if (object != nullptr && !verb && !part) return add(WordClass::kObject, *object, match.length, match.plural);
+  if (object != nullptr && part) return add(WordClass::kPart, *object, match.length, match.plural);
+  if (part && match.length == 1 && has(match, WordClass::kPart)) {  // "two sinks": parts of a vanity, or things
     const Match one = lexicon_.find({&single, 1}, 0);
-    if (const Meaning* thing = meaning_of(one, Class::kObject); thing != nullptr && single.text != token().text)
-      return add(Class::kPart, *thing, 1, true);
+    if (const Meaning* thing = meaning_of(one, WordClass::kObject); thing != nullptr && single.text != token().text)
+      return add(WordClass::kPart, *thing, 1, true);
   }
   if (covers) return false;
   if (attribute == nullptr || (noun_before && verbal)) return std::nullopt;
   // "a hall with double doors": no quality of what follows.
-  if (has(match, Class::kDoor) && !noun_after(i_ + match.length)) return std::nullopt;
+  if (has(match, WordClass::kDoor) && !noun_after(i_ + match.length)) return std::nullopt;
   // "bed king size": an attribute after the noun ends the phrase, unless another noun follows it ("table glass lamp").
-  if (noun_before && !hyphenated(i_) && !has(lexicon_.find(tokens_, i_ + match.length), Class::kObject)) return false;
+  if (noun_before && !hyphenated(i_) && !has(lexicon_.find(tokens_, i_ + match.length), WordClass::kObject)) return false;
   return add(attribute->word_class, *attribute, match.length, match.plural);
 }
 
@@ -176,32 +175,32 @@ std::optional<bool> NounPhraseReader::read_thing(const Match& match, bool noun_b
 std::optional<bool> NounPhraseReader::read_place(const Match& match, bool noun_before, bool verbal) {
   const bool named = is_named();
   // "the window side", "the door end", "by the till side": where the window is.
-  const bool known = parts_.empty() ? false : parts_.back().word_class == Class::kObject && phrase_.determiner == Determiner::kDefinite;
+  const bool known = parts_.empty() ? false : parts_.back().word_class == WordClass::kObject && phrase_.determiner == Determiner::kDefinite;
   const bool at_opening = noun_before && parts_.back().last == i_ && match.length == 1 &&
-                          (known || parts_.back().word_class == Class::kWindow || parts_.back().word_class == Class::kDoor);
+                          (known || parts_.back().word_class == WordClass::kWindow || parts_.back().word_class == WordClass::kDoor);
   if (at_opening && (at_word("side") || at_word("end")) && !at_word("of", 1)) {
     ++i_;
     return true;
   }
-  for (const Class place :
-       {Class::kDoor, Class::kWindow, Class::kWall, Class::kCorner, Class::kCenter, Class::kFloor, Class::kCeiling, Class::kOutsideRoom,
-        Class::kRoom, Class::kNiche, Class::kZone, Class::kRoomNoun, Class::kPart, Class::kSide, Class::kAbstract}) {
+  for (const WordClass place : {WordClass::kDoor, WordClass::kWindow, WordClass::kWall, WordClass::kCorner, WordClass::kCenter,
+                                WordClass::kFloor, WordClass::kCeiling, WordClass::kOutsideRoom, WordClass::kRoom, WordClass::kNiche,
+                                WordClass::kZone, WordClass::kRoomNoun, WordClass::kPart, WordClass::kSide, WordClass::kAbstract}) {
     const Meaning* meaning = meaning_of(match, place);
     if (meaning == nullptr) continue;
-    if ((place == Class::kSide || place == Class::kPart) && meaning_of(match, Class::kWallWord) != nullptr) {
+    if ((place == WordClass::kSide || place == WordClass::kPart) && meaning_of(match, WordClass::kWallWord) != nullptr) {
       const Match next = lexicon_.find(tokens_, i_ + 1);
-      if (has(next, Class::kObject) || has(next, Class::kWall) || has(next, Class::kCorner) || has(next, Class::kSide) ||
-          has(next, Class::kNumber) || has(next, Class::kWallWord))
+      if (has(next, WordClass::kObject) || has(next, WordClass::kWall) || has(next, WordClass::kCorner) || has(next, WordClass::kSide) ||
+          has(next, WordClass::kNumber) || has(next, WordClass::kWallWord))
         break;  // "left corner"
     }
     if ((verbal && noun_before && !names_set()) || (!named && !bare_)) return false;
     // "newspapers lines the wall": the verb, not a name that goes on.
-    if (noun_before && !hyphenated(i_) && (place == Class::kAbstract || place == Class::kPart) &&
+    if (noun_before && !hyphenated(i_) && (place == WordClass::kAbstract || place == WordClass::kPart) &&
         lexicon_.find_phrase(tokens_, i_).length > 0)
       return false;
     // "another table right of the sofa", "a chair back": a side after a noun is no part of its name.
-    if (noun_before && place == Class::kSide && !hyphenated(i_)) return false;
-    if (noun_before && place == Class::kPart && meaning_of(match, Class::kSide) != nullptr && !hyphenated(i_)) return false;
+    if (noun_before && place == WordClass::kSide && !hyphenated(i_)) return false;
+    if (noun_before && place == WordClass::kPart && meaning_of(match, WordClass::kSide) != nullptr && !hyphenated(i_)) return false;
     return add(place, *meaning, match.length, match.plural);
   }
   return std::nullopt;
@@ -211,11 +210,11 @@ std::optional<bool> NounPhraseReader::read_place(const Match& match, bool noun_b
 bool NounPhraseReader::counts_thing(std::size_t at) const {
   constexpr std::size_t kQualities = 2;
   for (std::size_t last = at + kQualities; at < tokens_.size() && at <= last; ++at) {
-    if (lexicon_.find(tokens_, at, Class::kObject).length > 0) return true;
+    if (lexicon_.find(tokens_, at, WordClass::kObject).length > 0) return true;
     const Token& word = tokens_[at];
-    const bool quality = lexicon_.is(word, Class::kColor) || lexicon_.is(word, Class::kMaterial) || lexicon_.is(word, Class::kSizeWord) ||
-                         lexicon_.is(word, Class::kShape) || lexicon_.is(word, Class::kStyle) ||
-                         word_form(word.text) == WordForm::kAdjective;
+    const bool quality = lexicon_.is(word, WordClass::kColor) || lexicon_.is(word, WordClass::kMaterial) ||
+                         lexicon_.is(word, WordClass::kSizeWord) || lexicon_.is(word, WordClass::kShape) ||
+                         lexicon_.is(word, WordClass::kStyle) || word_form(word.text) == WordForm::kAdjective;
     if (!quality) return false;
   }
   return false;
@@ -227,17 +226,17 @@ bool NounPhraseReader::read_other(const Match& match, bool noun_before) {
   // "one left of the door": where it is, not which one.
   const std::size_t after = i_ + match.length;
   const bool side_of = after < tokens_.size() && (tokens_[after].text == "of" || tokens_[after].text == "and") && phrase_.count > 0;
-  for (const Class word : {Class::kWallRelation, Class::kWallWord}) {
+  for (const WordClass word : {WordClass::kWallRelation, WordClass::kWallWord}) {
     if (side_of && named) break;
     if (const Meaning* meaning = meaning_of(match, word); meaning != nullptr && (named || bare_) && !noun_before)
       return add(word, *meaning, match.length, false);
   }
-  if (has(match, Class::kNumber) && i_ + 1 < tokens_.size() &&
+  if (has(match, WordClass::kNumber) && i_ + 1 < tokens_.size() &&
       (hyphenated(i_ + 1) || says_seats(i_ + 1) || describes(i_)))  // "one-way", "two-tone"
-    return add(Class::kQuality, {Class::kQuality, nullptr, nullptr, 0, {}}, 2, false);
-  if (doubles_noun(i_)) return add(Class::kQuality, {Class::kQuality, nullptr, nullptr, 0, {}}, 1, false);
+    return add(WordClass::kQuality, {WordClass::kQuality, nullptr, nullptr, 0, {}}, 2, false);
+  if (doubles_noun(i_)) return add(WordClass::kQuality, {WordClass::kQuality, nullptr, nullptr, 0, {}}, 1, false);
   // "every desk one chair": the next thing, counted.
-  const bool names_next = noun_before && parts_.back().word_class == Class::kObject && i_ + 1 < tokens_.size() &&
+  const bool names_next = noun_before && parts_.back().word_class == WordClass::kObject && i_ + 1 < tokens_.size() &&
                           tokens_[i_ + 1].kind == Token::Kind::kWord && is_noun(noun_form(tokens_[i_ + 1].text)) &&
                           lexicon_.find_phrase(tokens_, i_ + 1).length == 0;  // "on this table one pack of paper"
   const bool counts_next = noun_before && (names_next || counts_thing(i_ + 1));
@@ -255,7 +254,7 @@ bool NounPhraseReader::read_other(const Match& match, bool noun_before) {
     done_ = true;
     return false;
   }
-  if (has(match, Class::kNumber) && at_word("one") && named && !counts_next && !after_plural &&
+  if (has(match, WordClass::kNumber) && at_word("one") && named && !counts_next && !after_plural &&
       !second) {  // "the left one", "the other one"
     phrase_.kind = NounKind::kMember;
     i_ += 1;
@@ -263,12 +262,12 @@ bool NounPhraseReader::read_other(const Match& match, bool noun_before) {
     return false;
   }
   // Participles and verbs stand before the noun only: "a folded blanket", "a rolling chair".
-  if (!noun_before && named && (has(match, Class::kParticiple) || has(match, Class::kHang) || has(match, Class::kVerb)) &&
+  if (!noun_before && named && (has(match, WordClass::kParticiple) || has(match, WordClass::kHang) || has(match, WordClass::kVerb)) &&
       match.length == 1 && (token().text.ends_with("ed") || token().text.ends_with("ing")) &&
-      lexicon_.find_phrase(tokens_, i_).length < 2 && lexicon_.find(tokens_, i_, Class::kHave).length < 2) {  // "each filled with"
-    return add(Class::kFiller, match.meanings.front(), 1, false);
+      lexicon_.find_phrase(tokens_, i_).length < 2 && lexicon_.find(tokens_, i_, WordClass::kHave).length < 2) {  // "each filled with"
+    return add(WordClass::kFiller, match.meanings.front(), 1, false);
   }
-  const bool rather = has(match, Class::kAdverb) || at_word("otherwise");  // "an otherwise bare gallery"
+  const bool rather = has(match, WordClass::kAdverb) || at_word("otherwise");  // "an otherwise bare gallery"
   if (!noun_before && named && rather && lexicon_.find_phrase(tokens_, i_).length <= match.length) {
     i_ += match.length;
     return true;
@@ -281,7 +280,7 @@ bool NounPhraseReader::read_unlisted() {
     // "55-inch", "2-seater": one adjective.
     if (token().kind == Token::Kind::kNumber && i_ + 1 < tokens_.size() && tokens_[i_ + 1].kind == Token::Kind::kWord &&
         (hyphenated(i_ + 1) || says_seats(i_ + 1) || describes(i_)))
-      return add(Class::kQuality, {Class::kQuality, nullptr, nullptr, 0, {}}, 2, false);
+      return add(WordClass::kQuality, {WordClass::kQuality, nullptr, nullptr, 0, {}}, 2, false);
     return false;
   }
   // "five freshly rinsed prints": how, before what was done to it
@@ -294,7 +293,7 @@ bool NounPhraseReader::read_unlisted() {
     return true;
   }
   if (lexicon_.find_phrase(tokens_, i_).length > 0 || (!is_named() && !bare_) || !word_may_belong()) return false;
-  return add(Class::kFiller, {Class::kFiller, nullptr, nullptr, 0, {}}, 1, plural_at(i_));
+  return add(WordClass::kFiller, {WordClass::kFiller, nullptr, nullptr, 0, {}}, 1, plural_at(i_));
 }
 
 void NounPhraseReader::read_parts() {
@@ -311,7 +310,7 @@ void NounPhraseReader::read_parts() {
         ++i_;
         continue;
       }
-      if (parts_.back().word_class == Class::kObject || parts_.back().word_class == Class::kRoom) {
+      if (parts_.back().word_class == WordClass::kObject || parts_.back().word_class == WordClass::kRoom) {
         phrase_.owner = true;
         break;
       }

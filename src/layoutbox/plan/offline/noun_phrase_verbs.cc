@@ -8,8 +8,6 @@
 
 namespace layoutbox::offline {
 
-using Class = WordClass;
-
 // "a bear guards a safe": one bear, and what it does. "The party shoulders open the door." "A floor lamp towers over the chair."
 bool NounPhraseReader::ends_in_verb(std::size_t head) const {
   const bool definite = phrase_.determiner == Determiner::kDefinite || phrase_.determiner == Determiner::kPossessive ||
@@ -18,20 +16,20 @@ bool NounPhraseReader::ends_in_verb(std::size_t head) const {
   const PhrasePart &last = parts_[head - 1], &before = parts_[head - 2];
   const bool place_follows = last.last < tokens_.size() && lexicon_.find_phrase(tokens_, last.last).length > 0;
   // "Sunlight spills over the table."
-  if (phrase_.determiner == Determiner::kNone && before.word_class == Class::kAbstract && last.word_class == Class::kFiller)
+  if (phrase_.determiner == Determiner::kNone && before.word_class == WordClass::kAbstract && last.word_class == WordClass::kFiller)
     return !before.plural && last.plural && (place_follows || opens_at(last.last));
   if (phrase_.determiner != Determiner::kIndefinite && !definite) return false;
-  const bool listed_noun = last.word_class == Class::kAbstract && place_follows;
-  if (!last.plural || before.plural || (last.word_class != Class::kFiller && !opens_at(last.last) && !listed_noun)) return false;
+  const bool listed_noun = last.word_class == WordClass::kAbstract && place_follows;
+  if (!last.plural || before.plural || (last.word_class != WordClass::kFiller && !opens_at(last.last) && !listed_noun)) return false;
   if (definite) {
-    const bool particle = last.last < tokens_.size() && lexicon_.is(tokens_[last.last], Class::kVerb);
+    const bool particle = last.last < tokens_.size() && lexicon_.is(tokens_[last.last], WordClass::kVerb);
     const std::size_t object = last.last + (particle ? 1 : 0);
     const bool whose =
-        object < tokens_.size() && (lexicon_.is(tokens_[object], Class::kEach) || lexicon_.is(tokens_[object], Class::kPossessive));
-    const bool places = before.word_class == Class::kObject && place_follows && may_be_verb(tokens_[last.last - 1].text);
+        object < tokens_.size() && (lexicon_.is(tokens_[object], WordClass::kEach) || lexicon_.is(tokens_[object], WordClass::kPossessive));
+    const bool places = before.word_class == WordClass::kObject && place_follows && may_be_verb(tokens_[last.last - 1].text);
     return last.last - last.first == 1 && (opens_at(object) || whose || places);
   }
-  return before.word_class == Class::kObject || (before.word_class == Class::kFiller && is_thing(before));
+  return before.word_class == WordClass::kObject || (before.word_class == WordClass::kFiller && is_thing(before));
 }
 
 // "two sconces guard it", "the stools rim the table", "three brushes stick up in the jar": several, and what they do. Compounds begin with
@@ -40,13 +38,13 @@ bool NounPhraseReader::ends_in_plural_verb(std::size_t head) const {
   if (head < 2) return false;
   const PhrasePart &last = parts_[head - 1], &before = parts_[head - 2];
   if (last.last != last.first + 1 || before.last != last.first || hyphenated(last.first) || last.plural || !before.plural ||
-      before.word_class != Class::kObject || last.last >= tokens_.size())
+      before.word_class != WordClass::kObject || last.last >= tokens_.size())
     return false;
   const Token& next = tokens_[last.last];
   const bool placed = phrase_.count > 1 && place_at(last.last);
   if (placed && lexicon_.find_phrase(tokens_, last.last).length == 0) return true;  // "stick up in"
-  const bool object = placed || lexicon_.is(next, Class::kDefinite) || lexicon_.is(next, Class::kIndefinite) ||
-                      lexicon_.is(next, Class::kPronoun) || lexicon_.is(next, Class::kPossessive);
+  const bool object = placed || lexicon_.is(next, WordClass::kDefinite) || lexicon_.is(next, WordClass::kIndefinite) ||
+                      lexicon_.is(next, WordClass::kPronoun) || lexicon_.is(next, WordClass::kPossessive);
   return object && may_be_verb(tokens_[last.first].text);
 }
 
@@ -56,8 +54,9 @@ bool NounPhraseReader::ends_in_can(std::size_t head) const {
   const std::size_t next = parts_[head - 1].last;
   const std::string& who = tokens_[parts_[head - 2].last - 1].text;
   const bool person = word_form(singular_of(who)) == WordForm::kPerson || lexicon_.is_person(singular_of(who));
-  return (person || parts_[head - 2].word_class == Class::kObject) && next < tokens_.size() && tokens_[next].kind == Token::Kind::kWord &&
-         !place_at(next) && !lexicon_.is(tokens_[next], Class::kAnd) && !is_finite(tokens_[next].text);
+  return (person || parts_[head - 2].word_class == WordClass::kObject) && next < tokens_.size() &&
+         tokens_[next].kind == Token::Kind::kWord && !place_at(next) && !lexicon_.is(tokens_[next], WordClass::kAnd) &&
+         !is_finite(tokens_[next].text);
 }
 
 // Whether a place is said there: "in the corner", "up against the wall".
@@ -73,8 +72,8 @@ bool NounPhraseReader::place_at(std::size_t at) const {
 bool NounPhraseReader::lacks_verb(std::size_t at) const {
   for (; at < tokens_.size() && tokens_[at].kind == Token::Kind::kWord; ++at) {
     const Token& word = tokens_[at];
-    const bool has = word.text != "with" && lexicon_.is(word, Class::kHave);
-    if (has || lexicon_.is(word, Class::kBe) || (lexicon_.is(word, Class::kPlaceVerb) && is_finite(word.text))) return false;
+    const bool has = word.text != "with" && lexicon_.is(word, WordClass::kHave);
+    if (has || lexicon_.is(word, WordClass::kBe) || (lexicon_.is(word, WordClass::kPlaceVerb) && is_finite(word.text))) return false;
   }
   return true;
 }
@@ -87,7 +86,7 @@ bool NounPhraseReader::ends_in_doing(std::size_t head) const {
   if (!one && phrase_.determiner != Determiner::kDefinite && phrase_.determiner != Determiner::kPossessive) return false;
   const std::string& word = tokens_[last.first].text;
   if (last.last != last.first + 1 || before.last != last.first || hyphenated(last.first) || !last.plural || before.plural ||
-      before.word_class != Class::kObject || !place_at(last.last))
+      before.word_class != WordClass::kObject || !place_at(last.last))
     return false;
   if ((one && may_be_verb(word)) || word_form(word) == WordForm::kVerb) return true;
   return (phrase_.first == 0 || tokens_[phrase_.first - 1].ends_sentence) && lacks_verb(last.last);

@@ -12,14 +12,12 @@
 
 namespace layoutbox::offline {
 
-using Class = WordClass;
-
 // After a comma or "and" within a row of adjectives: "rectangular, wooden table", "cozy and well-lit room".
 bool NounPhraseReader::goes_on_after_break() const {
   const bool adjectives = !parts_.empty() && std::all_of(parts_.begin(), parts_.end(), [this](const PhrasePart& p) {
     // "sheet goods, timber rack" are two, "a warm, wooden table" is one
     const bool things = plural_at(p.last - 1) && word_form(tokens_[p.last - 1].text) != WordForm::kAdjective;
-    return is_attribute_class(p.word_class) || (p.word_class == Class::kFiller && !things);
+    return is_attribute_class(p.word_class) || (p.word_class == WordClass::kFiller && !things);
   });
   if (!adjectives || i_ + 1 >= tokens_.size()) return false;
   const Match next = lexicon_.find(tokens_, i_ + 1);
@@ -34,13 +32,14 @@ bool NounPhraseReader::word_may_belong() const {
   if (text == "per") return false;  // "(2 per table)"
   if (hyphenated(i_)) return true;
   const bool noun_before = std::any_of(parts_.begin(), parts_.end(), [this](const PhrasePart& p) {
-    return p.word_class == Class::kObject || p.word_class == Class::kRoom || p.word_class == Class::kDoor ||
-           p.word_class == Class::kWindow || (p.word_class == Class::kWall && p.last == i_);  // "the clock on the wall reminds everyone"
+    return p.word_class == WordClass::kObject || p.word_class == WordClass::kRoom || p.word_class == WordClass::kDoor ||
+           p.word_class == WordClass::kWindow ||
+           (p.word_class == WordClass::kWall && p.last == i_);  // "the clock on the wall reminds everyone"
   });
   const WordForm form = word_form(text);
   // "our two cats nap on the sofa": names go on after a singular.
   const bool after_plural =
-      !parts_.empty() && parts_.back().word_class == Class::kObject && parts_.back().plural && parts_.back().last == i_;
+      !parts_.empty() && parts_.back().word_class == WordClass::kObject && parts_.back().plural && parts_.back().last == i_;
   if (after_plural && !plural_at(i_) && i_ + 1 < tokens_.size() && lexicon_.find_phrase(tokens_, i_ + 1).length > 0) return false;
   if (!noun_before) return form != WordForm::kAdverb;
   const bool place_next = i_ + 1 < tokens_.size() && (opens_at(i_ + 1) || lexicon_.find_phrase(tokens_, i_ + 1).length > 0);
@@ -61,7 +60,7 @@ bool NounPhraseReader::read_ordinal() {
     if (!at_word(word)) continue;
     phrase_.ordinal = place;
     ++i_;
-    const Match number = more() ? lexicon_.find(tokens_, i_, Class::kNumber) : Match{};  // "the first two"
+    const Match number = more() ? lexicon_.find(tokens_, i_, WordClass::kNumber) : Match{};  // "the first two"
     if (number.length > 0 && !at_word("one") && read_count()) phrase_.plural = true;
     return true;
   }
@@ -73,8 +72,9 @@ bool NounPhraseReader::noun_after(std::size_t at) const {
   constexpr int kMostBetween = 3;
   for (int between = 0; between <= kMostBetween && at < tokens_.size(); ++between) {
     const Match next = lexicon_.find(tokens_, at);
-    if (has(next, Class::kObject) && !has(next, Class::kPart)) return !has(next, Class::kPlaceVerb) && !has(next, Class::kHave);
-    if (!has(next, Class::kPart) && (between == 0 || attribute_of(next) == nullptr)) return false;
+    if (has(next, WordClass::kObject) && !has(next, WordClass::kPart))
+      return !has(next, WordClass::kPlaceVerb) && !has(next, WordClass::kHave);
+    if (!has(next, WordClass::kPart) && (between == 0 || attribute_of(next) == nullptr)) return false;
     at += next.length;
   }
   return false;
@@ -82,8 +82,8 @@ bool NounPhraseReader::noun_after(std::size_t at) const {
 
 // "a kettlebell set and …": no verb where nothing says what is set.
 bool NounPhraseReader::names_set() const {
-  return at_word("set") && parts_.back().word_class == Class::kObject && !parts_.back().plural && parts_.back().last == i_ &&
-         (i_ + 1 >= tokens_.size() || tokens_[i_ + 1].kind == Token::Kind::kPunctuation || lexicon_.is(tokens_[i_ + 1], Class::kAnd));
+  return at_word("set") && parts_.back().word_class == WordClass::kObject && !parts_.back().plural && parts_.back().last == i_ &&
+         (i_ + 1 >= tokens_.size() || tokens_[i_ + 1].kind == Token::Kind::kPunctuation || lexicon_.is(tokens_[i_ + 1], WordClass::kAnd));
 }
 
 // "light-filled", "hand-knotted", "ladder-back", "ride-on", "half-open": one adjective, whatever its first word is.
@@ -95,10 +95,10 @@ bool NounPhraseReader::read_compound_adjective(const Match& match) {
   const bool halfway = one_of(token().text, {"half", "semi"}) && (word_form(end) == WordForm::kAdjective || end.ends_with("en"));
   const bool adjective = halfway || end.ends_with("ed") || end.ends_with("ing") || end == "open" ||
                          std::find(std::begin(kEnds), std::end(kEnds), end) != std::end(kEnds);
-  const bool side = has(lexicon_.find(tokens_, i_ + 1), Class::kSide) && has(lexicon_.find(tokens_, i_ + 2), Class::kObject);
-  if ((!adjective && !side) || lexicon_.find(tokens_, i_ + 1, Class::kObject).length > 0) return false;
+  const bool side = has(lexicon_.find(tokens_, i_ + 1), WordClass::kSide) && has(lexicon_.find(tokens_, i_ + 2), WordClass::kObject);
+  if ((!adjective && !side) || lexicon_.find(tokens_, i_ + 1, WordClass::kObject).length > 0) return false;
   if (lexicon_.find_phrase(tokens_, i_).length > 1) return false;  // "close-up", "in-between"
-  parts_.push_back({i_, i_ + 2, Class::kQuality, {Class::kQuality, nullptr, nullptr, 0, {}}, false});
+  parts_.push_back({i_, i_ + 2, WordClass::kQuality, {WordClass::kQuality, nullptr, nullptr, 0, {}}, false});
   i_ += 2;
   return true;
 }
@@ -107,41 +107,42 @@ bool NounPhraseReader::plural_at(std::size_t i) const { return singular_of(token
 
 // "a", "two", "the" at `i`: what went before was a verb.
 bool NounPhraseReader::opens_at(std::size_t i) const {
-  return i < tokens_.size() && (tokens_[i].kind == Token::Kind::kNumber || lexicon_.is(tokens_[i], Class::kIndefinite) ||
-                                lexicon_.is(tokens_[i], Class::kNumber) || lexicon_.is(tokens_[i], Class::kDefinite));
+  return i < tokens_.size() && (tokens_[i].kind == Token::Kind::kNumber || lexicon_.is(tokens_[i], WordClass::kIndefinite) ||
+                                lexicon_.is(tokens_[i], WordClass::kNumber) || lexicon_.is(tokens_[i], WordClass::kDefinite));
 }
 
 // "a plant stands in the corner" is no plant stand.
 Match NounPhraseReader::without_verb(const Match& match) const {
   const std::size_t final = i_ + match.length - 1;
-  if (match.length < 2 || (!lexicon_.is(tokens_[final], Class::kPlaceVerb) && !lexicon_.is(tokens_[final], Class::kHave))) return match;
+  if (match.length < 2 || (!lexicon_.is(tokens_[final], WordClass::kPlaceVerb) && !lexicon_.is(tokens_[final], WordClass::kHave)))
+    return match;
   const bool one =
       phrase_.count == 1 || (phrase_.count == 0 && (phrase_.determiner == Determiner::kIndefinite || opens_at(i_ + match.length)));
   // "in the corner stands a"; "the TV stands near the window", where no other verb says that they are stands.
   const bool opens_clause = phrase_.first == 0 || tokens_[phrase_.first - 1].kind != Token::Kind::kWord ||
-                            tokens_[phrase_.first - 1].ends_sentence || lexicon_.is(tokens_[phrase_.first - 1], Class::kAnd) ||
+                            tokens_[phrase_.first - 1].ends_sentence || lexicon_.is(tokens_[phrase_.first - 1], WordClass::kAnd) ||
                             one_of(tokens_[phrase_.first - 1].text, {"while", "where", "whereas"});
   const bool stands_there = opens_clause && phrase_.count == 0 && !counted_ && place_at(i_ + match.length) && lacks_verb(i_ + match.length);
   const bool singular_subject = match.plural && (one || (stands_there && phrase_.determiner != Determiner::kBoth));
   const bool plural_subject = !match.plural && plural_at(i_ + match.length - 2) && !plural_at(i_ + match.length - 1);  // "speakers stand"
   if (!singular_subject && !plural_subject) return match;
   const Match subject = lexicon_.find(tokens_.first(i_ + match.length - 1), i_);
-  return one || plural_subject || has(subject, Class::kObject) ? subject : match;  // "the music stands near the piano" has no other
+  return one || plural_subject || has(subject, WordClass::kObject) ? subject : match;  // "the music stands near the piano" has no other
 }
 
 // "a wooden puppet theater": what something is made of gives way to the longer name that begins after it.
 Match NounPhraseReader::without_attribute(const Match& match) const {
-  if (match.length < 2 || !has(match, Class::kObject)) return match;
+  if (match.length < 2 || !has(match, WordClass::kObject)) return match;
   const Match first = lexicon_.find(tokens_.first(i_ + 1), i_);
   if (attribute_of(first) == nullptr) return match;
   const Match after = lexicon_.find(tokens_, i_ + 1);
-  return has(after, Class::kObject) && after.length >= match.length ? first : match;
+  return has(after, WordClass::kObject) && after.length >= match.length ? first : match;
 }
 
 // Whether the name ends before what is at hand: a verb, a place, somebody who does something.
 bool NounPhraseReader::ends_before(const Match& match) const {
   // "both stand", "all sit": the verb.
-  const bool verb = match.length == 1 && !plural_at(i_) && has(match, Class::kPlaceVerb);
+  const bool verb = match.length == 1 && !plural_at(i_) && has(match, WordClass::kPlaceVerb);
   if (parts_.empty()) {
     // "both look toward the window"
     if (phrase_.determiner == Determiner::kBoth && may_be_verb(token().text) && lexicon_.find_phrase(tokens_, i_).length > 1 &&
@@ -159,8 +160,8 @@ bool NounPhraseReader::ends_before(const Match& match) const {
   if (phrase > std::max<std::size_t>(match.length, 1)) return true;  // "two desks side by side": a place, no part of the name
   // "a VR rig positioned beside the door"
   const bool participle =
-      match.length == 1 && has(match, Class::kParticiple) && (token().text.ends_with("ed") || token().text.ends_with("ing"));
-  if (!participle || last.word_class != Class::kFiller || last.last != i_) return false;
+      match.length == 1 && has(match, WordClass::kParticiple) && (token().text.ends_with("ed") || token().text.ends_with("ing"));
+  if (!participle || last.word_class != WordClass::kFiller || last.last != i_) return false;
   const WordForm before = noun_form(tokens_[last.last - 1].text);
   std::size_t after = i_ + match.length;  // "a missal lying open upon it"
   if (after + 1 < tokens_.size() && lexicon_.find_phrase(tokens_, after).length == 0 && lexicon_.find_phrase(tokens_, after + 1).length > 0)

@@ -10,8 +10,6 @@ namespace layoutbox::offline {
 
 namespace {
 
-using Class = WordClass;
-
 // "the door to the bakehouse is at the back": where the door leads, in the two chunks from n on.
 void leave_out_where_it_leads(Document& document, NounPhrase& door, std::size_t n) {
   std::vector<Chunk>& chunks = document.chunks;
@@ -47,20 +45,20 @@ SideSaid side_said_at(const Lexicon& lexicon, const Document& document, std::siz
   if (relative) i += 3;
   while (relative && is({"up", "almost", "nearly", "all", "most", "of", "whole", "entire"})) ++i;
   while (is({"is", "are", "on", "at", "in", "to", "the", "located", "placed", "situated"})) ++i;
-  const auto side_at = [&](std::size_t at) { return at < tokens.size() ? lexicon.find(tokens, at, Class::kWallWord) : Match{}; };
+  const auto side_at = [&](std::size_t at) { return at < tokens.size() ? lexicon.find(tokens, at, WordClass::kWallWord) : Match{}; };
   const Match side = side_at(i);
   if (side.length == 0) return {};
-  SideSaid said{std::string(meaning_of(side, Class::kWallWord)->word), {}, i + side.length};
+  SideSaid said{std::string(meaning_of(side, WordClass::kWallWord)->word), {}, i + side.length};
   i = said.last;
   if (const Match second = side_at(i); second.length > 0) {
-    said.corner = meaning_of(second, Class::kWallWord)->word;
+    said.corner = meaning_of(second, WordClass::kWallWord)->word;
     i += second.length;
     if (!is({"corner"})) return {};
     ++i;
   } else if (is({"side", "end"}) || (relative && is({"wall"}))) {
     ++i;
   }
-  const bool ends = i >= tokens.size() || tokens[i].kind == Token::Kind::kPunctuation || lexicon.is(tokens[i], Class::kAnd);
+  const bool ends = i >= tokens.size() || tokens[i].kind == Token::Kind::kPunctuation || lexicon.is(tokens[i], WordClass::kAnd);
   if (is({"and", "&"})) {  // "on the east and west walls": the walls say it
     std::size_t other = i + 1;
     while (says_one_of(document, other, {"the", "on", "in"})) ++other;
@@ -102,9 +100,9 @@ void settle_opening_walls(const Lexicon& lexicon, Document& document) {
                                       [](const Token& token) { return token.text == "its" || token.text == "it"; });
     if (by_thing) continue;  // "a desk with a window to its left"
     for (std::size_t i = chunks[first].first; i < chunks[n - 1].last; ++i) {
-      const Match side = lexicon.find(document.tokens, i, Class::kWallWord);
+      const Match side = lexicon.find(document.tokens, i, WordClass::kWallWord);
       if (side.length == 0) continue;
-      noun.wall_word = meaning_of(side, Class::kWallWord)->word;
+      noun.wall_word = meaning_of(side, WordClass::kWallWord)->word;
       for (std::size_t c = first; c < n; ++c) chunks[c].kind = ChunkKind::kIgnored;
       break;
     }
@@ -146,15 +144,15 @@ std::pair<std::string, std::size_t> middle_said_at(const Lexicon& lexicon, const
   i += middle ? 4 : 2;
   while (is(i, {"the", "one", "a", "of", "its"})) ++i;
   std::string word;
-  if (const Match wall = lexicon.find(document.tokens, i, Class::kWallWord); wall.length > 0) {
-    word = meaning_of(wall, Class::kWallWord)->word;
+  if (const Match wall = lexicon.find(document.tokens, i, WordClass::kWallWord); wall.length > 0) {
+    word = meaning_of(wall, WordClass::kWallWord)->word;
     i += wall.length;
   } else if (says_one_of(document, i, WordSet::kLongOrShort)) {
     word = document.tokens[i++].text.starts_with("long") ? "long" : "short";
   }
   const bool wall = is(i, {"wall", "side", "end"});
   const bool ends = i >= document.tokens.size() || document.tokens[i].kind == Token::Kind::kPunctuation ||
-                    lexicon.is(document.tokens[i], Class::kAnd);  // "in the middle of the front"
+                    lexicon.is(document.tokens[i], WordClass::kAnd);  // "in the middle of the front"
   if (word.empty() || (!wall && !ends)) return {};
   return {word, i + (wall ? 1 : 0)};
 }

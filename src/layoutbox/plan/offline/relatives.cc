@@ -5,8 +5,6 @@
 namespace layoutbox::offline {
 namespace {
 
-using Class = WordClass;
-
 class RelativeParter {
  public:
   RelativeParter(const Lexicon& lexicon, Document& document, std::vector<bool>& skip)
@@ -26,12 +24,12 @@ class RelativeParter {
   // "The old desk": a noun phrase and nothing more, as far as one sees from its words.
   bool is_subject(std::size_t begin, std::size_t end) const {
     if (end <= begin + 1 || end - begin > kSubject) return false;
-    if (!lexicon_.is(tokens_[begin], Class::kDefinite) && !lexicon_.is(tokens_[begin], Class::kIndefinite) &&
-        !lexicon_.is(tokens_[begin], Class::kPossessive))
+    if (!lexicon_.is(tokens_[begin], WordClass::kDefinite) && !lexicon_.is(tokens_[begin], WordClass::kIndefinite) &&
+        !lexicon_.is(tokens_[begin], WordClass::kPossessive))
       return false;
     for (std::size_t i = begin + 1; i < end; ++i) {
       const bool verb =
-          lexicon_.is(tokens_[i], Class::kBe) || lexicon_.is(tokens_[i], Class::kHave) || lexicon_.is(tokens_[i], Class::kAnd);
+          lexicon_.is(tokens_[i], WordClass::kBe) || lexicon_.is(tokens_[i], WordClass::kHave) || lexicon_.is(tokens_[i], WordClass::kAnd);
       if (verb || tokens_[i].kind != Token::Kind::kWord || lexicon_.find_phrase(tokens_, i).length > 0) return false;
     }
     return true;
@@ -46,9 +44,9 @@ class RelativeParter {
   // The sentence's own verb or place.
   bool goes_on(std::size_t at) const {
     if (at >= tokens_.size()) return false;
-    const bool verb = lexicon_.is(tokens_[at], Class::kBe) || lexicon_.is(tokens_[at], Class::kPlaceVerb) ||
-                      lexicon_.is(tokens_[at], Class::kHang) || lexicon_.is(tokens_[at], Class::kHave) ||
-                      lexicon_.is(tokens_[at], Class::kParticiple);
+    const bool verb = lexicon_.is(tokens_[at], WordClass::kBe) || lexicon_.is(tokens_[at], WordClass::kPlaceVerb) ||
+                      lexicon_.is(tokens_[at], WordClass::kHang) || lexicon_.is(tokens_[at], WordClass::kHave) ||
+                      lexicon_.is(tokens_[at], WordClass::kParticiple);
     return verb || (lexicon_.find_phrase(tokens_, at).length > 0 && !opens_relative(at));
   }
 
@@ -60,7 +58,7 @@ class RelativeParter {
     std::size_t end = second + 1;
     while (end < tokens_.size() && !tokens_[end].ends_sentence) ++end;
     const bool plural = tokens_[begin + 1].text != "a" &&
-                        (tokens_[begin + 1].kind == Token::Kind::kNumber || lexicon_.is(tokens_[begin + 1], Class::kNumber));
+                        (tokens_[begin + 1].kind == Token::Kind::kNumber || lexicon_.is(tokens_[begin + 1], WordClass::kNumber));
     for (std::size_t i = comma + 1; i < second; ++i) {
       if (tokens_[i].text == "which") tokens_[i].text = plural ? "them" : "it";
     }

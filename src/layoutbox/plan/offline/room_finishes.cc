@@ -11,8 +11,6 @@
 namespace layoutbox::offline {
 namespace {
 
-using Class = WordClass;
-
 bool is_finish_word(const Document& document, std::size_t i, std::string_view list) {
   if (i >= document.tokens.size()) return false;
   for (const WordList::Member word : word_list("words_room").at("finish_words").at(list)) {
@@ -54,8 +52,8 @@ std::optional<Where> where_said(const Lexicon& lexicon, const Document& document
   while (is_finish_word(document, i, "places")) ++i;
   Where where;
   while (is_finish_word(document, i, "articles")) ++i;
-  if (const Match side = lexicon.find(document.tokens, i, Class::kWallWord); side.length > 0) {
-    where.wall_word = meaning_of(side, Class::kWallWord)->word;
+  if (const Match side = lexicon.find(document.tokens, i, WordClass::kWallWord); side.length > 0) {
+    where.wall_word = meaning_of(side, WordClass::kWallWord)->word;
     i += side.length;
   }
   if (!says_one_of(document, i, {"wall", "walls", "floor"})) return std::nullopt;
@@ -68,8 +66,8 @@ std::optional<Where> where_said(const Lexicon& lexicon, const Document& document
 // A word that tells more of the finish after it: "white", "dark", "striped".
 bool describes_finish(const Lexicon& lexicon, const Token& token) {
   return token.kind == Token::Kind::kWord &&
-         (lexicon.is(token, Class::kColor) || lexicon.is(token, Class::kMaterial) || lexicon.is(token, Class::kQuality) ||
-          lexicon.is(token, Class::kShape) || lexicon.is(token, Class::kSizeWord) || lexicon.is(token, Class::kStyle));
+         (lexicon.is(token, WordClass::kColor) || lexicon.is(token, WordClass::kMaterial) || lexicon.is(token, WordClass::kQuality) ||
+          lexicon.is(token, WordClass::kShape) || lexicon.is(token, WordClass::kSizeWord) || lexicon.is(token, WordClass::kStyle));
 }
 
 class FinishReader {
@@ -91,14 +89,15 @@ class FinishReader {
     while (first > 0 && describes_finish(lexicon_, document_.tokens[first - 1]) && !document_.tokens[first - 1].ends_sentence) --first;
     if (first == at && is_finish_word(document_, at, "described")) return 0;  // "a tin of paint" is on no wall, "dark green paint" is
     // "six tatami mats", "the tiles of the table": things, or parts of one
-    if (first > 0 && (document_.tokens[first - 1].kind == Token::Kind::kNumber || lexicon_.is(document_.tokens[first - 1], Class::kNumber)))
+    if (first > 0 &&
+        (document_.tokens[first - 1].kind == Token::Kind::kNumber || lexicon_.is(document_.tokens[first - 1], WordClass::kNumber)))
       return 0;
-    if (first > 0 && lexicon_.is(document_.tokens[first - 1], Class::kBe)) return 0;  // "one wall is exposed brick": said of that wall
+    if (first > 0 && lexicon_.is(document_.tokens[first - 1], WordClass::kBe)) return 0;  // "one wall is exposed brick": said of that wall
     // "a table with green tiles on top": its own
-    const bool of_thing = first > 1 && lexicon_.is(document_.tokens[first - 1], Class::kHave) &&
-                          lexicon_.find(document_.tokens, first - 2, Class::kObject).length > 0;
+    const bool of_thing = first > 1 && lexicon_.is(document_.tokens[first - 1], WordClass::kHave) &&
+                          lexicon_.find(document_.tokens, first - 2, WordClass::kObject).length > 0;
     if (finish.where == "both" && of_thing) return 0;
-    const bool indefinite = first > 0 && lexicon_.is(document_.tokens[first - 1], Class::kIndefinite);
+    const bool indefinite = first > 0 && lexicon_.is(document_.tokens[first - 1], WordClass::kIndefinite);
     if (indefinite) --first;
     std::size_t last = at + finish.length;
     if (is_finish_word(document_, last, "with") && is_finish_word(document_, last + 1, "prints")) last += 2;
@@ -115,7 +114,7 @@ class FinishReader {
     noun.head = noun.kind == NounKind::kFloor ? "floor" : "wall";
     noun.name = where || finish.where != "both" ? noun.head : std::string(kWallsAndFloor);
     noun.attributes = {material};
-    noun.attribute_classes = {Class::kMaterial};
+    noun.attribute_classes = {WordClass::kMaterial};
     noun.plural = where ? where->all : !behind;
     noun.wall_word = where ? where->wall_word : std::string{};
     noun.first = first;

@@ -9,8 +9,6 @@
 namespace layoutbox::offline {
 namespace {
 
-using Class = WordClass;
-
 constexpr std::size_t kAdjectives = 3;  // between the word and the room: "a long dark basement room"
 
 class FormReader {
@@ -40,12 +38,12 @@ class FormReader {
     return {};
   }
 
-  bool is_of(std::size_t i, Class word_class) const { return lexicon_.find(tokens_, i, word_class).length > 0; }
+  bool is_of(std::size_t i, WordClass word_class) const { return lexicon_.find(tokens_, i, word_class).length > 0; }
   // A dining room table is none.
   bool is_room(std::size_t i) const {
     if (i >= tokens_.size()) return false;
     const Match match = lexicon_.find(tokens_, i);
-    return has(match, Class::kRoom) || has(match, Class::kRoomNoun);
+    return has(match, WordClass::kRoom) || has(match, WordClass::kRoomNoun);
   }
   bool is_word(std::size_t i, std::initializer_list<std::string_view> words) const {
     return i < tokens_.size() && std::ranges::find(words, std::string_view(tokens_[i].text)) != words.end();
@@ -53,7 +51,7 @@ class FormReader {
 
   // "3 m long", "20 square metres", "two metres wide".
   bool is_measured(std::size_t i) const {
-    return is_of(i, Class::kAreaUnit) || (i > 0 && (tokens_[i - 1].kind == Token::Kind::kNumber || is_of(i - 1, Class::kUnit))) ||
+    return is_of(i, WordClass::kAreaUnit) || (i > 0 && (tokens_[i - 1].kind == Token::Kind::kNumber || is_of(i - 1, WordClass::kUnit))) ||
            is_word(i + 1, {"meter", "meters", "metre", "metres", "foot", "feet", "m", "ft", "wall", "walls", "side", "end"});
   }
 
@@ -62,7 +60,7 @@ class FormReader {
     std::size_t at = i + 1;
     for (std::size_t words = 0; at < tokens_.size() && words < kAdjectives && !tokens_[at - 1].ends_sentence; ++at) {
       if (is_word(at, {"and", ",", "but", "shaped", "shape", "ish"}) && !closes_list(at)) continue;
-      const bool says = !form_at(at).empty() || attribute_of(lexicon_.find(tokens_, at)) != nullptr || is_of(at, Class::kSizeWord);
+      const bool says = !form_at(at).empty() || attribute_of(lexicon_.find(tokens_, at)) != nullptr || is_of(at, WordClass::kSizeWord);
       if (is_room(at) || !says) break;
       ++words;
     }
@@ -86,8 +84,9 @@ class FormReader {
     bool room = false;
     for (std::size_t at = i > kLookBack ? i - kLookBack : 0; at < i;) {
       const Match match = lexicon_.find(tokens_, at);
-      const bool thing = has(match, Class::kObject) || has(match, Class::kDoor) || has(match, Class::kWindow) || has(match, Class::kWall);
-      const bool place = has(match, Class::kRoom) || has(match, Class::kRoomNoun) || has(match, Class::kOutsideRoom);
+      const bool thing =
+          has(match, WordClass::kObject) || has(match, WordClass::kDoor) || has(match, WordClass::kWindow) || has(match, WordClass::kWall);
+      const bool place = has(match, WordClass::kRoom) || has(match, WordClass::kRoomNoun) || has(match, WordClass::kOutsideRoom);
       if (place || thing) room = place;
       at += std::max<std::size_t>(match.length, 1);
     }

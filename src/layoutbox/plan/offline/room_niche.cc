@@ -9,8 +9,6 @@
 namespace layoutbox::offline {
 namespace {
 
-using Class = WordClass;
-
 bool one_of_words(const Token& token, std::initializer_list<std::string_view> words) {
   return std::find(words.begin(), words.end(), token.text) != words.end();
 }
@@ -28,7 +26,8 @@ class NicheReader {
     if (!read_lengths() || !(name_follows() || name_before())) return std::nullopt;
     take_missing();
     read_place();
-    while (first_ > 0 && (lexicon_.is(tokens_[first_ - 1], Class::kIndefinite) || one_of_words(tokens_[first_ - 1], {"of", "measuring"})))
+    while (first_ > 0 &&
+           (lexicon_.is(tokens_[first_ - 1], WordClass::kIndefinite) || one_of_words(tokens_[first_ - 1], {"of", "measuring"})))
       --first_;
     return NicheRead{niche_, first_, last_};
   }
@@ -64,10 +63,10 @@ class NicheReader {
   bool name_follows() {
     for (std::size_t i = last_; i < last_ + 3 && !breaks(i); ++i) {
       if (names(i)) {
-        last_ = i + std::max<std::size_t>(lexicon_.find(tokens_, i, Class::kNiche).length, 1);
+        last_ = i + std::max<std::size_t>(lexicon_.find(tokens_, i, WordClass::kNiche).length, 1);
         return true;
       }
-      if (lexicon_.find_phrase(tokens_, i).length > 0 || lexicon_.find(tokens_, i, Class::kObject).length > 0) break;
+      if (lexicon_.find_phrase(tokens_, i).length > 0 || lexicon_.find(tokens_, i, WordClass::kObject).length > 0) break;
     }
     return false;
   }
@@ -80,8 +79,8 @@ class NicheReader {
         if (is_sign(last_, {")"})) ++last_;
         return true;
       }
-      if ((breaks(i) && looked > 0) || is_sign(i, {".", ";"}) || lexicon_.find(tokens_, i, Class::kObject).length > 0 ||
-          lexicon_.is(tokens_[i], Class::kRoomNoun))
+      if ((breaks(i) && looked > 0) || is_sign(i, {".", ";"}) || lexicon_.find(tokens_, i, WordClass::kObject).length > 0 ||
+          lexicon_.is(tokens_[i], WordClass::kRoomNoun))
         break;
     }
     return false;
@@ -89,9 +88,9 @@ class NicheReader {
 
   // A niche by its name, or a corner that is not there.
   bool names(std::size_t i) {
-    const Match match = lexicon_.find(tokens_, i, Class::kNiche);
+    const Match match = lexicon_.find(tokens_, i, WordClass::kNiche);
     if (match.length > 0) {
-      niche_.cut = lexicon_.find(tokens_, i, Class::kCutNiche).length > 0;
+      niche_.cut = lexicon_.find(tokens_, i, WordClass::kCutNiche).length > 0;
       return true;
     }
     if (tokens_[i].text != "corner") return false;
@@ -122,11 +121,11 @@ class NicheReader {
   void read_place() {
     std::size_t end = last_, said = 0;
     for (std::size_t i = last_; i < last_ + 8 && !breaks(i); ++i) {
-      const Match match = lexicon_.find(tokens_, i, Class::kWallWord);
+      const Match match = lexicon_.find(tokens_, i, WordClass::kWallWord);
       if (match.length > 0) {
         end = i + match.length;
         ++said;
-      } else if (lexicon_.is(tokens_[i], Class::kCorner) || lexicon_.is(tokens_[i], Class::kWall)) {
+      } else if (lexicon_.is(tokens_[i], WordClass::kCorner) || lexicon_.is(tokens_[i], WordClass::kWall)) {
         end = i + 1;
         break;
       } else if (!one_of_words(tokens_[i], {"in", "at", "on", "from", "into", "of", "the", "its", "to", "along", "out"})) {
@@ -139,9 +138,9 @@ class NicheReader {
 
   void read_words(std::size_t from, std::size_t until) {
     for (std::size_t i = from; i < until; ++i) {
-      const Match match = lexicon_.find(tokens_, i, Class::kWallWord);
+      const Match match = lexicon_.find(tokens_, i, WordClass::kWallWord);
       if (match.length == 0) continue;
-      niche_.walls += (niche_.walls.empty() ? "" : " ") + std::string(meaning_of(match, Class::kWallWord)->word);
+      niche_.walls += (niche_.walls.empty() ? "" : " ") + std::string(meaning_of(match, WordClass::kWallWord)->word);
     }
   }
 

@@ -8,7 +8,6 @@
 namespace layoutbox::offline {
 
 namespace {
-using Class = WordClass;
 
 // Everything that a noun phrase says of a door or a window, as one text.
 std::string words_of_opening(const NounPhrase& noun) {
@@ -31,8 +30,8 @@ std::vector<std::string> looks_said(OpeningType type, const NounPhrase& noun) {
   if (is_front(type, noun)) looks.emplace_back("window front");
   for (std::size_t a = 0; a < noun.attributes.size(); ++a) {
     const bool framed = noun.attributes[a].ends_with("framed");
-    const bool plain =
-        a < noun.attribute_classes.size() && (noun.attribute_classes[a] == Class::kColor || noun.attribute_classes[a] == Class::kMaterial);
+    const bool plain = a < noun.attribute_classes.size() &&
+                       (noun.attribute_classes[a] == WordClass::kColor || noun.attribute_classes[a] == WordClass::kMaterial);
     const bool known = std::ranges::any_of(looks, [&](const std::string& look) { return look == noun.attributes[a]; });
     if ((framed || plain) && !known) looks.push_back(noun.attributes[a]);
   }

@@ -13,8 +13,6 @@
 namespace layoutbox::offline {
 namespace {
 
-using Class = WordClass;
-
 std::string room_type(const NounPhrase& noun) {
   if (noun.room != nullptr) return noun.room->id;
   // "gaming room", "this basement": the words themselves; "the room", "a space" say nothing.
@@ -363,16 +361,16 @@ std::string finish_of(const Lexicon& lexicon, const Document& document, const No
   const auto add_shade = [&] {
     for (std::size_t i = noun.first; i + 1 < noun.last && i + 1 < document.tokens.size(); ++i) {
       const std::string& word = document.tokens[i].text;
-      if (is_shade(word) && lexicon.find(document.tokens, i, Class::kColor).length == 0) return add(word);
+      if (is_shade(word) && lexicon.find(document.tokens, i, WordClass::kColor).length == 0) return add(word);
     }
   };
   for (std::size_t a = 0; a < noun.attributes.size() && a < noun.attribute_classes.size(); ++a) {
-    const bool color = noun.attribute_classes[a] == Class::kColor;
+    const bool color = noun.attribute_classes[a] == WordClass::kColor;
     if (color && material.empty()) add_shade();
-    if (color || noun.attribute_classes[a] == Class::kMaterial) add(noun.attributes[a]);
+    if (color || noun.attribute_classes[a] == WordClass::kMaterial) add(noun.attributes[a]);
   }
   for (std::size_t i = noun.first; material.empty() && i < noun.last && i < document.tokens.size(); ++i) {
-    const Match color = lexicon.find(document.tokens, i, Class::kColor), stuff = lexicon.find(document.tokens, i, Class::kMaterial);
+    const Match color = lexicon.find(document.tokens, i, WordClass::kColor), stuff = lexicon.find(document.tokens, i, WordClass::kMaterial);
     if (const std::size_t length = std::max(color.length, stuff.length); length > 0)
       add(text_of(document.tokens, i, std::min(i + length, noun.last)));
   }

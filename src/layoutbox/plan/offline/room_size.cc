@@ -11,9 +11,7 @@
 namespace layoutbox::offline {
 namespace {
 
-using Class = WordClass;
-
-bool has_class(const Match& match, Class word_class) {
+bool has_class(const Match& match, WordClass word_class) {
   return std::any_of(match.meanings.begin(), match.meanings.end(), [&](const Meaning& m) { return m.word_class == word_class; });
 }
 
@@ -33,7 +31,7 @@ class SizeReader {
   RoomSize run() {
     for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) l_shaped_ |= tokens_[i].text == "l" && tokens_[i + 1].text.starts_with("shape");
     for (std::size_t i = 0; i < tokens_.size() && !is_set(document_.stop); ++i) {
-      if (tokens_[i].kind != Token::Kind::kNumber && lexicon_.find(tokens_, i, Class::kNumber).length == 0) continue;
+      if (tokens_[i].kind != Token::Kind::kNumber && lexicon_.find(tokens_, i, WordClass::kNumber).length == 0) continue;
       if (const std::size_t niche = read_niche_of(i); niche > 0) {
         i += niche - 1;
       } else if (const std::size_t taken = read_product(i); taken > 0) {
@@ -75,9 +73,9 @@ class SizeReader {
     for (std::size_t i = last; i < std::min(last + 4, tokens_.size()); ++i) {
       if (tokens_[i].kind == Token::Kind::kPunctuation) break;
       const Match match = lexicon_.find(tokens_, i);
-      if (has_class(match, Class::kHave) || has_class(match, Class::kBe) || lexicon_.find_phrase(tokens_, i).length > 0) break;
-      if (has_class(match, Class::kRoom) || has_class(match, Class::kRoomNoun)) return true;
-      if (has_class(match, Class::kObject)) return false;
+      if (has_class(match, WordClass::kHave) || has_class(match, WordClass::kBe) || lexicon_.find_phrase(tokens_, i).length > 0) break;
+      if (has_class(match, WordClass::kRoom) || has_class(match, WordClass::kRoomNoun)) return true;
+      if (has_class(match, WordClass::kObject)) return false;
     }
     // "…, hamper, ironing board, 6 feet by 5 feet": what the text closes with
     const bool closes =
@@ -90,11 +88,11 @@ class SizeReader {
     while (begin > 0 && first - begin < kLookBack && !tokens_[begin - 1].ends_sentence) --begin;
     const std::vector<Named> named = named_in(begin, first);
     for (const Named& name : std::views::reverse(named)) {
-      if (has_class(name.match, Class::kRoom) || has_class(name.match, Class::kRoomNoun)) return !fits_thing_before(name.at, sides);
+      if (has_class(name.match, WordClass::kRoom) || has_class(name.match, WordClass::kRoomNoun)) return !fits_thing_before(name.at, sides);
       const bool for_thing = sides.size() >= 2 && sides[0] * sides[1] < smallest;  // "a mat of 2 x 1.5 m"
       const bool in_centimetres = name.at + name.match.length == first && says_centimetres(first);
-      if (has_class(name.match, Class::kObject) && (for_thing || in_centimetres || !beyond(name.match, sides))) return false;
-      if ((has_class(name.match, Class::kWindow) || has_class(name.match, Class::kDoor)) && !no_opening)
+      if (has_class(name.match, WordClass::kObject) && (for_thing || in_centimetres || !beyond(name.match, sides))) return false;
+      if ((has_class(name.match, WordClass::kWindow) || has_class(name.match, WordClass::kDoor)) && !no_opening)
         return false;  // "a wall's windows, each 1.5 m wide"
     }
     return size_.width == 0 && (first < kEarly || too_large_for_last_thing(begin, sides, smallest));
@@ -111,7 +109,7 @@ class SizeReader {
   bool says_free_floor(std::size_t size) const {
     constexpr std::size_t kWords = 5;
     for (std::size_t back = 1; back <= std::min(size, kWords) && !tokens_[size - back].ends_sentence; ++back) {
-      if (has_class(lexicon_.find(tokens_, size - back), Class::kRoomNoun)) return is_left_free(size - back);
+      if (has_class(lexicon_.find(tokens_, size - back), WordClass::kRoomNoun)) return is_left_free(size - back);
     }
     return false;
   }
@@ -130,7 +128,7 @@ class SizeReader {
     constexpr std::size_t kLongestName = 3;  // words
     for (std::size_t back = 1; back <= std::min(at, kLongestName) && !tokens_[at - back].ends_sentence; ++back) {
       const Match match = lexicon_.find(tokens_, at - back);
-      if (match.length == back && (has_class(match, Class::kRoom) || has_class(match, Class::kRoomNoun))) return true;
+      if (match.length == back && (has_class(match, WordClass::kRoom) || has_class(match, WordClass::kRoomNoun))) return true;
     }
     return false;
   }
@@ -153,7 +151,7 @@ class SizeReader {
   bool too_large_for_last_thing(std::size_t begin, const std::vector<double>& sides, double smallest) const {
     if (sides.size() < 2 || sides[0] * sides[1] < smallest) return false;
     for (const Named& name : std::views::reverse(named_in(begin > kLookBack ? begin - kLookBack : 0, begin))) {
-      if (has_class(name.match, Class::kObject)) return beyond(name.match, sides);
+      if (has_class(name.match, WordClass::kObject)) return beyond(name.match, sides);
     }
     return true;
   }
@@ -191,7 +189,7 @@ class SizeReader {
   static bool beyond(const Match& match, const std::vector<double>& sides) {
     constexpr double kTimes = 2.5;
     return sides.size() >= 2 && std::all_of(match.meanings.begin(), match.meanings.end(), [&](const Meaning& m) {
-             if (m.word_class != Class::kObject || m.entry == nullptr) return true;
+             if (m.word_class != WordClass::kObject || m.entry == nullptr) return true;
              const Size& most = m.entry->size.greatest;
              return sides[0] * sides[1] > kTimes * m_from_mm(most.width) * m_from_mm(most.depth);
            });
@@ -203,7 +201,7 @@ class SizeReader {
     if (sides.size() < 2 || sides[0] * sides[1] >= kSmallestRoom) return false;
     for (std::size_t i = end; i-- > 0 && !tokens_[i].ends_sentence;) {
       for (const Meaning& m : lexicon_.find(tokens_, i).meanings) {
-        if (m.word_class != Class::kObject || m.entry == nullptr) continue;
+        if (m.word_class != WordClass::kObject || m.entry == nullptr) continue;
         const Size& most = m.entry->size.greatest;
         const double longer = kMore * m_from_mm(std::max(most.width, most.depth)),
                      other = kMore * m_from_mm(std::min(most.width, most.depth));
@@ -226,7 +224,7 @@ class SizeReader {
       return {};
     const auto two = read_measure(lexicon_, tokens_, joiner + 1);
     const std::size_t last = two ? joiner + 1 + two->length : 0;
-    if (!two || (last < tokens_.size() && lexicon_.find(tokens_, last, Class::kDimension).length > 0)) return {};
+    if (!two || (last < tokens_.size() && lexicon_.find(tokens_, last, WordClass::kDimension).length > 0)) return {};
     SidesRead read;
     read.sides = read.numbers = {one->metres, two->metres};
     read.length = last - at;
@@ -272,7 +270,7 @@ class SizeReader {
 
   // "living room 3.2 x 3.8 m sofa, …": what follows is no part of the room's name.
   void end_phrase(std::size_t first, std::size_t last) {
-    if (last >= tokens_.size() || !follows_room(first) || lexicon_.find(tokens_, last, Class::kObject).length == 0) return;
+    if (last >= tokens_.size() || !follows_room(first) || lexicon_.find(tokens_, last, WordClass::kObject).length == 0) return;
     commas_.push_back({last, comma_token()});
   }
 
@@ -285,12 +283,12 @@ class SizeReader {
 
   std::size_t read_area(std::size_t at) {
     if (tokens_[at].kind != Token::Kind::kNumber || at + 1 >= tokens_.size()) return 0;
-    Match unit = lexicon_.find(tokens_, at + 1, Class::kAreaUnit);
+    Match unit = lexicon_.find(tokens_, at + 1, WordClass::kAreaUnit);
     double scale = 1;
     std::size_t length = 0;
     if (unit.length > 0) {
       for (const Meaning& m : unit.meanings) {
-        if (m.word_class == Class::kAreaUnit) scale = m.value;
+        if (m.word_class == WordClass::kAreaUnit) scale = m.value;
       }
       length = 1 + unit.length;
     } else if ((tokens_[at + 1].text == "m" || tokens_[at + 1].text == "ft") && at + 2 < tokens_.size() && tokens_[at + 2].glued &&
@@ -307,7 +305,7 @@ class SizeReader {
     return length;
   }
 
-  bool is_ceiling(std::size_t at) const { return at < tokens_.size() && has_class(lexicon_.find(tokens_, at), Class::kCeiling); }
+  bool is_ceiling(std::size_t at) const { return at < tokens_.size() && has_class(lexicon_.find(tokens_, at), WordClass::kCeiling); }
 
   // "3 m ceilings", "a 3 m high ceiling"
   bool ceiling_after(std::size_t last) const {
@@ -321,7 +319,7 @@ class SizeReader {
     for (std::size_t back = 1; back <= kFar && back <= at; ++back) {
       const Token& token = tokens_[at - back];
       if (token.kind == Token::Kind::kPunctuation && token.text != "(" && token.text != ":") return false;
-      if (has_class(lexicon_.find(tokens_, at - back), Class::kObject)) return false;
+      if (has_class(lexicon_.find(tokens_, at - back), WordClass::kObject)) return false;
       if (is_ceiling(at - back))
         return last >= tokens_.size() || tokens_[last].text == "high" || lexicon_.find_phrase(tokens_, last).length == 0;
     }
@@ -332,7 +330,8 @@ class SizeReader {
   bool says_height_alone(std::size_t at) const {
     constexpr double kLowest = 2, kHighest = 6;
     const bool ends = at + 1 >= tokens_.size() || tokens_[at].ends_sentence || tokens_[at + 1].kind == Token::Kind::kPunctuation ||
-                      has_class(lexicon_.find(tokens_, at + 1), Class::kClause) || has_class(lexicon_.find(tokens_, at + 1), Class::kAnd);
+                      has_class(lexicon_.find(tokens_, at + 1), WordClass::kClause) ||
+                      has_class(lexicon_.find(tokens_, at + 1), WordClass::kAnd);
     return ends && tokens_[at].kind == Token::Kind::kNumber && tokens_[at].number >= kLowest && tokens_[at].number <= kHighest;
   }
 
@@ -355,7 +354,7 @@ class SizeReader {
     if (other_side_ > 0) return {side_of(first), std::exchange(other_side_, 0)};
     std::size_t next = at + length;
     const auto passed = [&](const Token& token) { return token.text == "," || token.text == "and" || token.text == "by"; };
-    while (next < tokens_.size() && (passed(tokens_[next]) || lexicon_.find(tokens_, next, Class::kExactly).length == 1)) ++next;
+    while (next < tokens_.size() && (passed(tokens_[next]) || lexicon_.find(tokens_, next, WordClass::kExactly).length == 1)) ++next;
     SaidSize second;
     if (next >= tokens_.size() || read_size(lexicon_, tokens_, next, second) == 0 || side_of(second) == 0) return {};
     other_side_ = side_of(first);
