@@ -71,6 +71,19 @@ TEST(Rows, TheTeacherToldToBeBeforeTheBoardLooksAtTheClass) {
   EXPECT_EQ(std::lround(layout.find_object("teacher_desk_1")->rotation_deg), std::lround(layout.find_object("whiteboard_1")->rotation_deg));
 }
 
+TEST(Rows, TheTeacherToldToBeAtTheFrontHasFloorBeforeTheClass) {
+  SceneMaker maker = class_of(20, 8900, 7700);
+  RelationParameters front;
+  front.region = RoomRegion::kFront;
+  maker.add("teacher_desk").relate("inRegion", {"teacher_desk_1"}, {}, front);
+  const Layout layout = solved_as_asked(maker.make(true));
+  const PlacedObject& teacher = *layout.find_object("teacher_desk_1");
+  for (int i = 1; i <= 20; ++i) {
+    const PlacedObject& desk = *layout.find_object(numbered("school_desk", i));
+    EXPECT_GE(std::abs(desk.position[1] - teacher.position[1]) - (desk.size.depth + teacher.size.depth) / 2.0, 600) << i;
+  }
+}
+
 TEST(Rows, PillarsAreSpreadOverTheLengthOfTheHall) {
   SceneMaker maker(8000, 16000, 5000);
   maker.add("pillar", 8);

@@ -61,12 +61,12 @@ bool Habits::faces_a_class(int item) const {
          used_sides(self) == std::vector<Side>{Side::kBack} && board >= 0 && only_placed_before(item, board);
 }
 
-// Do words place it nowhere, or before or by that other alone?
+// Do words place it nowhere, in a part of the room, or before or by that other alone?
 bool Habits::only_placed_before(int item, int other) const {
   using R = RelationType;
   return std::ranges::none_of(said_of(item), [&](const Relation* r) {
     if (std::ranges::find(r->targets, model_.items[item].id) == r->targets.end()) return false;
-    if (traits_of(r->type).turns) return false;
+    if (traits_of(r->type).turns || r->type == R::kInRegion) return false;
     const bool before = r->type == R::kInFrontOf || r->type == R::kNear || r->type == R::kCenteredOn;
     return !before || r->references.size() != 1 || r->references[0] != model_.items[other].id;
   });
