@@ -13,7 +13,7 @@ namespace layoutbox {
 namespace {
 
 constexpr double kShareOfWindow = 0.5, kShareOfWideWindow = 0.75;  // of the longest wall
-constexpr Mm kWidestWindow = 3000, kBetweenUnderWindow = 100;
+constexpr Mm kWidestWindow = 5400, kBetweenUnderWindow = 100;
 constexpr Mm kSeatsBeside = 1000;                     // and their seats, of tables
 constexpr Mm kBesideGlass = 120, kAtWholeWall = 500;  // of walls of glass: what is left beside them
 

@@ -178,6 +178,18 @@ TEST(Furnished, WhatHangsAndIsNoLampKeepsOffTheDesks) {
   for (const char* id : {"hanging_plant_1", "hanging_plant_2"}) EXPECT_LT(seen_from(bench, object(layout, id)).y, -600) << id;
 }
 
+TEST(Furnished, TablesAlongAWindowStandInLine) {
+  SceneMaker maker(9000, 7000);
+  maker.opening(OpeningType::kWindow, "wall3", 1800, 5400, 900, 1200).add("table", 3).sized(800, 700, 750).add("chair", 6);
+  for (int i = 1; i <= 3; ++i) {
+    maker.relate("underWindow", {numbered("table", i)});
+    maker.relate("around", {numbered("chair", 2 * i - 1), numbered("chair", 2 * i)}, {numbered("table", i)});
+  }
+  const Layout layout = solved_as_asked(maker.make(true));
+  for (int i = 2; i <= 3; ++i)
+    EXPECT_NEAR(object(layout, numbered("table", i)).position[1], object(layout, "table_1").position[1], 40) << i;
+}
+
 TEST(Furnished, TwoBenchesOfWhichTheSameIsSaidLieParallel) {
   const Layout layout = solved_as_asked(SceneMaker(6000, 5000)
                                             .add("rug")

@@ -76,6 +76,7 @@ class Habits {
   void back_to_wall(int item, int weight);
   bool may_float(int item) const;
   void back_to_divider(Formula& f, int item);
+  std::vector<std::pair<RelationType, std::vector<std::string>>> words_of(int item) const;
   void lie_alike(int item);
   bool is_narrow_bed(int item) const;
   bool has_bedside(int bed) const;

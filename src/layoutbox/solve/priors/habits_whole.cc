@@ -30,24 +30,34 @@ void Habits::spread() {
   spread.formulas.push_back(std::move(f));
 }
 
-// Long things of a kind that look alike from both ends and of which the same is said (two benches on a rug) lie parallel.
+// What is said of a thing, whatever else of a kind it is said of.
+std::vector<std::pair<RelationType, std::vector<std::string>>> Habits::words_of(int item) const {
+  std::vector<std::pair<RelationType, std::vector<std::string>>> words;
+  for (const Relation* r : said_of(item)) {
+    if (std::ranges::find(r->targets, model_.items[item].id) != r->targets.end()) words.emplace_back(r->type, r->references);
+  }
+  return words;
+}
+
+// Things of a kind of which the same is said and that have no front lie parallel where they are long (two benches on a rug), and in line
+// where they stand along a wall or a window (tables for two).
 void Habits::lie_alike(int item) {
   constexpr int kAlike = 150;  // points a metre
   const Item& self = model_.items[item];
   const Size& size = self.states[0].size;
-  if (self.has_front || self.thin || 2 * std::max(size.width, size.depth) < 3 * std::min(size.width, size.depth)) return;
-  const auto said_of = [&](int i) {
-    std::vector<std::pair<RelationType, std::vector<std::string>>> said;
-    for (const Relation& r : model_.scene->relations) {
-      if (std::ranges::find(r.targets, model_.items[i].id) != r.targets.end()) said.emplace_back(r.type, r.references);
-    }
-    return said;
-  };
+  if (self.has_front || self.thin || size.width == size.depth) return;
+  const auto words = words_of(item);
+  const bool in_line = std::ranges::any_of(words, [](const auto& said) { return traits_of(said.first).back_to_wall; });
+  if (!in_line && 2 * std::max(size.width, size.depth) < 3 * std::min(size.width, size.depth)) return;
   for (int other = 0; other < item; ++other) {
-    if (model_.items[other].entry != self.entry || model_.items[other].fixed || said_of(other) != said_of(item)) continue;
+    if (model_.items[other].entry != self.entry || model_.items[other].fixed || words_of(other) != words) continue;
     Formula f;
-    for (const int axis : {0, 1})
-      f.add().when(other, states_with_width_along(model_.items[other], axis)).when(item, states_with_width_along(self, axis));
+    for (const int axis : {0, 1}) {
+      for (int across = in_line ? 0 : 1; across < 2; ++across) {
+        Case& c = f.add().when(other, states_with_width_along(model_.items[other], axis)).when(item, states_with_width_along(self, axis));
+        if (in_line) c.wish(mid2(item, across) - mid2(other, across), kAlike, 2);
+      }
+    }
     habit("lies alike", item, kAlike, std::move(f), {other});
     return;
   }
