@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "layoutbox/plan/offline/english.h"
+
 namespace layoutbox::offline {
 namespace {
 
@@ -13,8 +15,11 @@ class RelativeParter {
   void run() {
     std::size_t begin = 0;
     for (std::size_t i = 1; i + 2 < tokens_.size(); ++i) {
-      if (tokens_[i].ends_sentence) begin = i + 1;
-      if (tokens_[i].text == "," && is_subject(begin, i) && opens_relative(i + 1)) part(begin, i);
+      if (tokens_[i].ends_sentence || joins_clauses(i)) begin = i + 1;
+      if (tokens_[i].text != "," || !is_subject(begin, i)) continue;
+      if (opens_relative(i + 1)) part(begin, i);
+      if (opens_comment(i + 1)) pass_over(i);
+      if (is_description(i + 1)) move_before_noun(begin, i);
     }
   }
 
@@ -41,6 +46,70 @@ class RelativeParter {
     return which > at && which < tokens_.size() && tokens_[which].text == "which";
   }
 
+  // ", while the old desk", ", and a stone font"
+  bool joins_clauses(std::size_t at) const {
+    const bool joins = lexicon_.is(tokens_[at], WordClass::kAnd) || lexicon_.is(tokens_[at], WordClass::kClause);
+    return joins && at > 0 && tokens_[at - 1].text == ",";
+  }
+
+  // "which every visitor passes", "which she likes for its pictures": what somebody does, and nothing of a place.
+  bool opens_comment(std::size_t at) const {
+    if (tokens_[at].text != "which" && tokens_[at].text != "whom") return false;
+    const Token& next = tokens_[at + 1];
+    if (!(lexicon_.is(next, WordClass::kDefinite) || lexicon_.is(next, WordClass::kPossessive) || lexicon_.is(next, WordClass::kEach) ||
+          lexicon_.is(next, WordClass::kDoer) || lexicon_.is_person(next.text)))
+      return false;
+    const std::size_t second = second_comma(at);
+    for (std::size_t i = at; i < second; ++i) {
+      if (lexicon_.find_phrase(tokens_, i).length > 0 || one_of(tokens_[i].text, {"at", "in", "on", "by"})) return false;
+    }
+    return second > 0;
+  }
+
+  // "orange and round": adjectives and nothing more, up to the sentence's own verb.
+  bool is_description(std::size_t at) const {
+    const std::size_t second = second_comma(at);
+    if (second == 0) return false;
+    for (std::size_t i = at; i < second; ++i) {
+      const bool describes = lexicon_.is(tokens_[i], WordClass::kColor) || lexicon_.is(tokens_[i], WordClass::kShape) ||
+                             lexicon_.is(tokens_[i], WordClass::kQuality) || lexicon_.is(tokens_[i], WordClass::kSizeWord) ||
+                             lexicon_.is(tokens_[i], WordClass::kAdverb) || word_form(tokens_[i].text) == WordForm::kAdjective;
+      if (!describes && !(i > at && lexicon_.is(tokens_[i], WordClass::kAnd))) return false;
+    }
+    return true;
+  }
+
+  // The comma after which the sentence goes on; 0: there is none.
+  std::size_t second_comma(std::size_t at) const {
+    for (std::size_t i = at; i < std::min(tokens_.size(), at + kClause) && !tokens_[i].ends_sentence; ++i) {
+      if (tokens_[i].text == "," && goes_on(i + 1)) return i;
+    }
+    return 0;
+  }
+
+  void pass_over(std::size_t comma) {
+    const std::size_t second = second_comma(comma + 1);
+    for (std::size_t i = comma; i <= second; ++i) {
+      skip_[i] = true;
+      readings_[i].use = WordReading::Use::kIgnored, readings_[i].role = "by the way";
+    }
+  }
+
+  // "The pouf, orange and round, is": the orange and round pouf is.
+  void move_before_noun(std::size_t begin, std::size_t comma) {
+    const std::size_t second = second_comma(comma + 1);
+    skip_[comma] = skip_[second] = true;
+    for (std::size_t i = comma; i < second; ++i) skip_[i] = skip_[i] || lexicon_.is(tokens_[i], WordClass::kAnd);
+    rotate(begin + 1, comma, second);
+  }
+
+  void rotate(std::size_t first, std::size_t middle, std::size_t last) {
+    const auto at = [](auto& all, std::size_t k) { return all.begin() + static_cast<std::ptrdiff_t>(k); };
+    std::rotate(at(tokens_, first), at(tokens_, middle), at(tokens_, last));
+    std::rotate(at(readings_, first), at(readings_, middle), at(readings_, last));
+    std::rotate(at(skip_, first), at(skip_, middle), at(skip_, last));
+  }
+
   // The sentence's own verb or place.
   bool goes_on(std::size_t at) const {
     if (at >= tokens_.size()) return false;
@@ -51,10 +120,8 @@ class RelativeParter {
   }
 
   void part(std::size_t begin, std::size_t comma) {
-    std::size_t second = comma + 1;
-    const std::size_t most = std::min(tokens_.size(), comma + kClause);
-    while (second < most && !tokens_[second].ends_sentence && !(tokens_[second].text == "," && goes_on(second + 1))) ++second;
-    if (second >= most || tokens_[second].text != ",") return;
+    const std::size_t second = second_comma(comma + 1);
+    if (second == 0) return;
     std::size_t end = second + 1;
     while (end < tokens_.size() && !tokens_[end].ends_sentence) ++end;
     const bool plural = tokens_[begin + 1].text != "a" &&
@@ -63,10 +130,7 @@ class RelativeParter {
       if (tokens_[i].text == "which") tokens_[i].text = plural ? "them" : "it";
     }
     skip_[second] = true;
-    const auto at = [](auto& all, std::size_t k) { return all.begin() + static_cast<std::ptrdiff_t>(k); };
-    std::rotate(at(tokens_, comma), at(tokens_, second + 1), at(tokens_, end));
-    std::rotate(at(readings_, comma), at(readings_, second + 1), at(readings_, end));
-    std::rotate(at(skip_, comma), at(skip_, second + 1), at(skip_, end));
+    rotate(comma, second + 1, end);
     Token& stop = tokens_[comma + end - second - 1];
     stop.text = ".";
     stop.ends_sentence = true;
