@@ -53,6 +53,18 @@ std::vector<int> References::singled_out(const std::vector<int>& all, const Noun
   return all;
 }
 
+// "four tables, each with two chairs, one in front of it": how many of the group each of the others has, while the sentence speaks of that;
+// 0: they are not shared out.
+std::size_t References::share_of_each(int group, const NounPhrase& member) const {
+  const Mention& all = document_.mentions[static_cast<std::size_t>(group)];
+  const std::size_t said = static_cast<std::size_t>(std::max(all.noun.count, 0));
+  if (member.of || member.count > 1 || !all.introduces || said < 2 || all.items.size() <= said || all.items.size() % said != 0) return 0;
+  for (std::size_t i = all.noun.last; i < member.first; ++i) {
+    if (document_.tokens[i].ends_sentence) return 0;
+  }
+  return said;
+}
+
 void References::choose_members(Mention& mention, const NounPhrase& noun, int antecedent) {
   if (noun.determiner == Determiner::kDefinite) {
     if (const int item = described(noun); item >= 0) {
@@ -86,6 +98,12 @@ void References::choose_members(Mention& mention, const NounPhrase& noun, int an
   if (noun.determiner == Determiner::kOther && noun.count == 0) {
     for (const int item : all) {
       if (!contains(picked, item)) mention.items.push_back(item);
+    }
+  } else if (const std::size_t share = share_of_each(antecedent, noun); share > count) {
+    for (std::size_t first = 0; first < all.size(); first += share) {
+      for (std::size_t i = first, left = count; i < first + share && left > 0; ++i) {
+        if (!contains(picked, all[i])) mention.items.push_back(all[i]), --left;
+      }
     }
   } else {
     for (const int item : all) {

@@ -64,6 +64,7 @@ class References {
   // Those that the words single out by their place among all: "the first two", "the middle one", "every other chair"; all where they
   // do not.
   static std::vector<int> singled_out(const std::vector<int>& all, const NounPhrase& noun);
+  std::size_t share_of_each(int group, const NounPhrase& member) const;
   void choose_members(Mention& mention, const NounPhrase& noun, int antecedent);
 
   const Lexicon& lexicon_;

@@ -219,7 +219,8 @@ void RelationBuilder::add_group(const Link& link, PhraseSense sense, const std::
       return add(link, R::kNextTo, ids(targets), {id(references.front())});
     if (seats_one_side(link, targets.front(), references.front())) {
       for (std::size_t t = 0; t < targets.size(); ++t) {
-        const std::string& host = id(references[t % references.size()]);
+        const bool even = targets.size() % references.size() == 0;  // … and then each has those that follow each other, as everywhere
+        const std::string& host = id(references[even ? t * references.size() / targets.size() : t % references.size()]);
         add(link, user_side(references.front()), {id(targets[t])}, {host});
         add(link, R::kFacing, {id(targets[t])}, {host});
       }

@@ -218,16 +218,10 @@ void Scribe::write_size(int u) {
 
 // "two chairs, one red and one blue": of the one right before it, not of all who the sentence is about.
 std::vector<int> Scribe::described_by(int u) const {
-  std::vector<int> subjects = subjects_of(u);
   const bool of_member = u > 0 && is(u - 1, UnitKind::kNoun) && unit(u).joiner == Joiner::kNone &&
                          chunk(u - 1).noun.kind == NounKind::kMember && is_thing(mention_[static_cast<std::size_t>(u - 1)]);
-  if (!of_member) return subjects;
-  const int member = mention_[static_cast<std::size_t>(u - 1)];
-  const auto has_it = [&](int item) {
-    return std::ranges::any_of(
-        subjects, [&](int subject) { return std::ranges::find(mention_at(subject).items, item) != mention_at(subject).items.end(); });
-  };
-  return std::ranges::all_of(mention_at(member).items, has_it) ? std::vector<int>{member} : subjects;
+  if (!of_member) return subjects_of(u);
+  return {mention_[static_cast<std::size_t>(u - 1)]};
 }
 
 void Scribe::write_attribute(int u) {
