@@ -16,6 +16,7 @@ constexpr std::size_t kMostThings = 250;                                        
 constexpr double kFrontWorth = 2, kMostFront = 2.5;  // a front counts more than a top; m² from which a larger one counts no more
 constexpr double kWallWorth = 0.25;                  // of a wall with a look of its own, for each m²
 constexpr double kOpeningWorth = 1;
+constexpr double kHungWorth = 1.5;  // of what was told to hang on a wall: on one that is cut away it shows its back
 constexpr double kBetter = 1.03;  // so much better than the usual corner is worth another
 constexpr double kClear = 0.005;  // metres beyond a face where a ray starts
 
@@ -108,6 +109,18 @@ double looks_shown_from(const Layout& layout, double azimuth_deg) {
   return shown;
 }
 
+// … and of what hangs on walls and was asked for.
+double hung_shown_from(const Layout& layout, double azimuth_deg) {
+  const double azimuth = radians_from_degrees(azimuth_deg);
+  double shown = 0;
+  for (const PlacedObject& object : layout.objects) {
+    const double turn = radians_from_degrees(object.rotation_deg);
+    const bool faces_us = std::sin(turn) * std::sin(azimuth) + std::cos(turn) * std::cos(azimuth) > 0;
+    if (object.mount == Mount::kWall && object.origin != Origin::kAdded && faces_us) shown += kHungWorth;
+  }
+  return shown;
+}
+
 double azimuth_of(Corner corner) {
   switch (corner) {
     case Corner::kNorthEast: return 135;
@@ -144,7 +157,8 @@ Corner best_corner(const Layout& layout, double elevation_deg) {
   if (things.size() > kMostThings) things.resize(kMostThings);
   Corner best = Corner::kSouthEast;
   const auto shown_at = [&](Corner corner) {
-    return shown_from(things, azimuth_of(corner), elevation_deg) + looks_shown_from(layout, azimuth_of(corner));
+    const double azimuth = azimuth_of(corner);
+    return shown_from(things, azimuth, elevation_deg) + looks_shown_from(layout, azimuth) + hung_shown_from(layout, azimuth);
   };
   double most = shown_at(best) * kBetter;
   for (const Corner corner : {Corner::kSouthWest, Corner::kNorthEast, Corner::kNorthWest}) {

@@ -57,6 +57,15 @@ TEST(BestCorner, ShowsAWallOfItsOwnLook) {
   EXPECT_EQ(best_corner(layout), Corner::kSouthEast);
 }
 
+TEST(BestCorner, ShowsWhatHangsOnWalls) {
+  PlacedObject poster = thing({500, 20, 700}, 2000, 30, 180, {});
+  poster.mount = Mount::kWall;
+  PlacedObject bed = thing({900, 2000, 500}, 600, 1900, 0, kAllSides);
+  EXPECT_EQ(best_corner(room_with({bed, poster})), Corner::kNorthEast);
+  poster.origin = Origin::kAdded;
+  EXPECT_EQ(best_corner(room_with({bed, poster})), Corner::kSouthEast);
+}
+
 TEST(BestCorner, OneThatIsNamedHolds) {
   const Layout layout = room_with({thing({1800, 600, 2200}, 2000, 300, 180)});
   RenderOptions options;
