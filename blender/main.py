@@ -29,6 +29,7 @@ def build(view, meshes, turn=0.0):
     out |= hangers_in_the_way(stay, out, meshes)
     materials = {name: make_material(name, row) for name, row in MATERIALS.items()}
     build_base(stay)
+    build_ghosts(stay, out)
     build_rows(SHELL + OBJECTS, out, meshes, materials)
     build_light()
     build_beams(stay)

@@ -395,3 +395,22 @@ def make_pane(name, row):
     tree.links.new(choose.outputs[0], output.inputs["Surface"])
     material.diffuse_color = (*linear(color), 1.0)
     return material
+
+
+def make_ghost():
+    """A faint pane: what is behind it darkened a little, and a little light of its own; without chance, which would be grain."""
+    found = bpy.data.materials.get("ghost")
+    if found:
+        return found
+    material = bpy.data.materials.new("ghost")
+    tree = Nodes(material).tree
+    tree.nodes.clear()
+    clear, own, both = (tree.nodes.new(f"ShaderNode{kind}") for kind in ("BsdfTransparent", "Emission", "AddShader"))
+    output = tree.nodes.new("ShaderNodeOutputMaterial")
+    clear.inputs["Color"].default_value = (0.80, 0.83, 0.87, 1.0)
+    own.inputs["Color"].default_value, own.inputs["Strength"].default_value = (0.9, 0.95, 1.0, 1.0), 0.12
+    tree.links.new(clear.outputs[0], both.inputs[0])
+    tree.links.new(own.outputs[0], both.inputs[1])
+    tree.links.new(both.outputs[0], output.inputs["Surface"])
+    material.diffuse_color = (0.85, 0.9, 0.95, 0.3)
+    return material

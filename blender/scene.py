@@ -175,6 +175,32 @@ def build_base(stay):
         group.objects.link(mark)
 
 
+def build_ghosts(stay, out):
+    """What hangs on a wall that is cut away hangs on a faint pane in its place, so that it is seen to hang and not to float."""
+    for wall in WALLS:
+        if wall["id"] in stay:
+            continue
+        (ax, ay), (bx, by) = wall["start"], wall["end"]
+        length = math.hypot(bx - ax, by - ay)
+        ux, uy = (bx - ax) / length, (by - ay) / length
+        for row in OBJECTS:
+            if row["hangs_on"] != wall["id"] or row["id"] in out:
+                continue
+            middle = (row["at"][0] - ax) * ux + (row["at"][1] - ay) * uy
+            reach = row["size"][0] / 2 + GHOST_MARGIN
+            ends = max(0.0, middle - reach), min(length, middle + reach)
+            top = min(row["at"][2] + row["size"][2] + GHOST_MARGIN, ROOM["height"])
+            corners = [(ax + ux * ends[k], ay + uy * ends[k], z) for k, z in ((0, 0.0), (1, 0.0), (1, top), (0, top))]
+            mesh = bpy.data.meshes.new(f"wall behind {row['id']}")
+            mesh.from_pydata(corners, [], [(0, 1, 2, 3)])
+            mesh.materials.append(make_ghost())
+            ghost = bpy.data.objects.new(mesh.name, mesh)
+            ghost["kind"] = "mark"
+            ghost.visible_shadow = ghost.visible_diffuse = ghost.visible_glossy = False
+            collection("Room").objects.link(ghost)
+
+
+GHOST_MARGIN = 0.06  # metres that the pane is wider and higher than what hangs on it
 PLAIN = {"roughness": 0.7, "metallic": 0.0, "alpha": 1.0, "emission": 0.0, "texture": "", "second": (0, 0, 0), "scale": 1.0, "image": ""}
 BASE_COLOR = (0.52, 0.37, 0.29)
 MARK_COLORS = {"door": (0.86, 0.78, 0.66), "open": (0.86, 0.78, 0.66), "window": (0.66, 0.80, 0.90)}

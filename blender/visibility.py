@@ -108,8 +108,8 @@ def with_what_they_carry(ids):
 
 
 def hangers_in_the_way(stay, out, meshes, width=240, height=135):
-    """Ids of things on walls that are cut away and that nobody asked for, or that hide much of an object or of the floor, with what
-    they carry. The others stay where they hang."""
+    """Ids of things on walls that are cut away and that nobody asked for, or that hide much of the floor or of an object that was
+    asked for, with what they carry. The others stay where they hang."""
     hangers = [row for row in OBJECTS if row["hangs_on"] and row["hangs_on"] not in stay]
     if not hangers:
         return set()
@@ -125,7 +125,8 @@ def hangers_in_the_way(stay, out, meshes, width=240, height=135):
         hidden = [seen[pixel] for pixel in pixels_alone(view, *in_room(row, meshes))]
         for number in set(hidden) - {-1}:
             most = 0.1 if things[number][0]["kind"] == "floor" else 0.35
-            if things[number][0]["kind"] in ("floor", "object") and hidden.count(number) > most * pixels[number]:
+            counts = things[number][0]["kind"] == "floor" or (things[number][0]["kind"] == "object" and things[number][0]["asked"])
+            if counts and hidden.count(number) > most * pixels[number]:
                 away.add(row["id"])
     return with_what_they_carry(away)
 

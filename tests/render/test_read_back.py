@@ -46,8 +46,8 @@ class Blend(ReadBackCase):
         if why:
             self.skipTest(why)
 
-    def check(self, prompt):
-        self.make(prompt)
+    def check(self, prompt, *options):
+        self.make(prompt, *options)
         drawn, placed = self.measured("scene.blend"), self.measured("layout.json")
         for name in MEASURES:  # a solid is drawn up to a millimetre smaller than those that it meets
             self.assertAlmostEqual(drawn[name][0], placed[name][0], delta=0.05, msg=name)
@@ -61,6 +61,10 @@ class Blend(ReadBackCase):
 
     def test_chairs_under_a_table_below_a_lamp(self):
         self.check("A kitchen with a fridge, a stove, a dining table with six chairs and a pendant lamp over the table.")
+
+    def test_the_pane_behind_what_hangs_on_a_wall_cut_away_is_no_thing(self):
+        self.check("A bedroom, 4 x 3 m, with a bed and a poster on the right wall.", "--corner", "SE")
+        self.in_blender("assert any(thing.name.startswith('wall behind poster') for thing in bpy.data.objects)")
 
     def test_an_l_shaped_room(self):
         self.check("An L-shaped living room, 6 x 5 m, with a sofa, a bookshelf, a dining table with four chairs and a floor lamp.")

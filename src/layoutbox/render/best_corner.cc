@@ -17,8 +17,8 @@ constexpr double kFrontWorth = 2, kMostFront = 2.5;  // a front counts more than
 constexpr double kWallWorth = 0.25;                  // of a wall with a look of its own, for each m²
 constexpr double kOpeningWorth = 1;
 constexpr double kHungWorth = 1.5;  // of what was told to hang on a wall: on one that is cut away it shows its back
-constexpr double kBetter = 1.03;  // so much better than the usual corner is worth another
-constexpr double kClear = 0.005;  // metres beyond a face where a ray starts
+constexpr double kBetter = 1.03;    // so much better than the usual corner is worth another
+constexpr double kClear = 0.005;    // metres beyond a face where a ray starts
 
 struct Vector {
   double x = 0, y = 0, z = 0;
