@@ -29,6 +29,7 @@
 #include "layoutbox/plan/offline/room_reader.h"
 #include "layoutbox/plan/offline/runs.h"
 #include "layoutbox/plan/offline/said_counts.h"
+#include "layoutbox/plan/offline/side_subjects.h"
 #include "layoutbox/plan/offline/slopes.h"
 #include "layoutbox/plan/offline/spelling.h"
 #include "layoutbox/plan/offline/states.h"
@@ -92,6 +93,7 @@ class OfflinePlanner final : public Planner {
     read_wordings(lexicon_, document, skip);
     read_slopes(lexicon_, document, skip);
     part_relatives(lexicon_, document, skip);
+    turn_side_subjects(lexicon_, document, skip);
     const std::vector<WordReading> of_size = take_out(document, skip);
     document.chunks = chunk_tokens(lexicon_, document.tokens, document.stop);
     if (is_set(document.stop)) return stopped();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "layoutbox/plan/offline/english.h"
+#include "layoutbox/plan/offline/splice.h"
 
 namespace layoutbox::offline {
 namespace {
@@ -10,7 +11,7 @@ namespace {
 class RelativeParter {
  public:
   RelativeParter(const Lexicon& lexicon, Document& document, std::vector<bool>& skip)
-      : lexicon_(lexicon), tokens_(document.tokens), readings_(document.readings), skip_(skip) {}
+      : lexicon_(lexicon), document_(document), tokens_(document.tokens), readings_(document.readings), skip_(skip) {}
 
   void run() {
     std::size_t begin = 0;
@@ -100,14 +101,7 @@ class RelativeParter {
     const std::size_t second = second_comma(comma + 1);
     skip_[comma] = skip_[second] = true;
     for (std::size_t i = comma; i < second; ++i) skip_[i] = skip_[i] || lexicon_.is(tokens_[i], WordClass::kAnd);
-    rotate(begin + 1, comma, second);
-  }
-
-  void rotate(std::size_t first, std::size_t middle, std::size_t last) {
-    const auto at = [](auto& all, std::size_t k) { return all.begin() + static_cast<std::ptrdiff_t>(k); };
-    std::rotate(at(tokens_, first), at(tokens_, middle), at(tokens_, last));
-    std::rotate(at(readings_, first), at(readings_, middle), at(readings_, last));
-    std::rotate(at(skip_, first), at(skip_, middle), at(skip_, last));
+    move_before(document_, skip_, begin + 1, comma, second);
   }
 
   // The sentence's own verb or place.
@@ -130,13 +124,14 @@ class RelativeParter {
       if (tokens_[i].text == "which") tokens_[i].text = plural ? "them" : "it";
     }
     skip_[second] = true;
-    rotate(comma, second + 1, end);
+    move_before(document_, skip_, comma, second + 1, end);
     Token& stop = tokens_[comma + end - second - 1];
     stop.text = ".";
     stop.ends_sentence = true;
   }
 
   const Lexicon& lexicon_;
+  Document& document_;
   std::vector<Token>& tokens_;
   std::vector<WordReading>& readings_;
   std::vector<bool>& skip_;

@@ -1,6 +1,7 @@
 // Words that a reader puts into a text before it is parted into phrases.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,6 +29,15 @@ inline Token number_token(int number) {
   token.text = std::to_string(number);
   token.number = number;
   return token;
+}
+
+// Tokens [middle, last) come before [first, middle). REQUIRES: one reading and one mark of `skip` a token.
+inline void move_before(Document& document, std::vector<bool>& skip, std::size_t first, std::size_t middle, std::size_t last) {
+  const auto rotate = [&](auto& all) {
+    const auto at = [&](std::size_t k) { return all.begin() + static_cast<std::ptrdiff_t>(k); };
+    std::rotate(at(first), at(middle), at(last));
+  };
+  rotate(document.tokens), rotate(document.readings), rotate(skip);
 }
 
 // REQUIRES: in the order of their places, and one reading and one mark of `skip` a token; then so it is again.
