@@ -229,6 +229,13 @@ void RelationBuilder::add_for_each(const Link& link, PhraseSense sense, const Me
   const std::size_t n = target.items.size(), m = references.size();
   // "a bouquet waits behind both", "to the left of the monitors": of all of them.
   const bool both = sense.type == R::kAbove && m == 2 && says_one_of(document_, link.last - 1, {"both"});  // "a shelf above both"
+  // "A fan over them", of two armchairs: over the table that is between them.
+  if (sense.type == R::kAbove && n == 1 && m == 2 && mount_of(target.noun) == Mount::kCeiling) {
+    const auto between = std::ranges::find_if(scene_.relations, [&](const Relation& r) {
+      return r.type == R::kBetween && r.references == ids(references) && !r.targets.empty();
+    });
+    if (between != scene_.relations.end()) return add(link, R::kAbove, ids(target.items), {between->targets.front()});
+  }
   const bool sided = both || sense.type == R::kBehind || sense.type == R::kLeftOf || sense.type == R::kRightOf;
   const bool all = sense.type == R::kInFrontOf || sense.type == R::kOpposite || sided;
   if (sense.type == R::kOpposite && m == 1 && n > 1) {  // as a group

@@ -43,7 +43,6 @@ void RelationBuilder::screen_from_door() {
     if (behind.type != R::kBehind || behind.targets.size() != 1 || behind.references.size() != 1) continue;
     const SceneObject *thing = object_of(behind.targets[0]), *screen = object_of(behind.references[0]);
     if (thing == nullptr || screen == nullptr || !catalog_.is_a(screen->category, "screen_divider")) continue;
-    if (!catalog_.entry_or_nearest(thing->category).back_to_wall) continue;
     add_habit(R::kBetween, behind.references, {thing->id, "door"}, kTogether, "what is behind a screen is not seen from the door");
     scene_.relations.back().origin = Origin::kConcluded;
   }
