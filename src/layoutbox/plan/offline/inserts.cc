@@ -116,16 +116,20 @@ class InsertReader {
     pass_over(k, k + 2, "attribute");
   }
 
-  // "The only seat is a stool": the stool.
+  // "The only seat is a stool": the stool. "The only thing on it is a flask": on it is a flask.
   void read_only(std::size_t k) {
-    if (!is(k, ChunkKind::kNoun) || !is(k + 1, ChunkKind::kVerb) || !is(k + 2, ChunkKind::kNoun)) return;
-    const NounPhrase &noun = chunks_[k].noun, &named = chunks_[k + 2].noun;
-    if (noun.determiner != Determiner::kDefinite || named.determiner != Determiner::kIndefinite || !begins_clause(k)) return;
-    if (chunks_[k + 1].last != chunks_[k + 1].first + 1 || !one_of(word(k + 1), {"is", "was"})) return;
+    if (!is(k, ChunkKind::kNoun) || !begins_clause(k) || chunks_[k].noun.determiner != Determiner::kDefinite) return;
+    const bool placed = is(k + 1, ChunkKind::kRelation), by_name = placed && is(k + 2, ChunkKind::kNoun);  // or "on it"
+    const std::size_t be = by_name ? k + 3 : placed ? k + 2 : k + 1;
+    if (!is(be, ChunkKind::kVerb) || !is(be + 1, ChunkKind::kNoun) || chunks_[be].last != chunks_[be].first + 1) return;
+    const NounPhrase& named = chunks_[be + 1].noun;
+    if (named.kind != NounKind::kObject || named.determiner != Determiner::kIndefinite || !one_of(word(be), {"is", "was"})) return;
     bool only = false;
     for (std::size_t i = chunks_[k].first; i < chunks_[k].last; ++i)
       only = only || one_of(document_.tokens[i].text, {"only", "sole", "one"});
-    if (only && named.kind == NounKind::kObject) pass_over(k, k + 2, "what is said of it");
+    if (!only) return;
+    pass_over(k, k + 1, "what is said of it");
+    pass_over(be, be + 1, placed ? "there" : "what is said of it");
   }
 
   // "To the left of the bench stands a flag, to the right of the bench another": another flag.
@@ -151,10 +155,15 @@ class InsertReader {
       pass_over(k, k + 1, "perfect");
   }
 
-  // "Either side of the window gets a bookshelf", "on the wall has one clock": there it is.
+  // "Either side of the window gets a bookshelf", "on the wall has one clock", "on it the cook keeps a kettle": there it is.
   void read_place_has(std::size_t k) {
-    if (!is(k, ChunkKind::kRelation) || !is(k + 1, ChunkKind::kNoun) || !is(k + 2, ChunkKind::kHave) || !begins_clause(k)) return;
-    if (one_of(word(k + 2), {"has", "have", "gets", "get", "holds", "had"}) && is_thing(k + 3)) pass_over(k + 2, k + 3, "there");
+    if (!is(k, ChunkKind::kRelation) || !begins_clause(k)) return;
+    const std::size_t after = is(k + 1, ChunkKind::kNoun) ? k + 2 : k + 1;
+    std::size_t has = after;
+    while (has < after + 2 && (is(has, ChunkKind::kIgnored) || (is(has, ChunkKind::kNoun) && !is_thing(has)))) ++has;
+    if (!is(has, ChunkKind::kHave) || !is_thing(has + 1) || (has == after && after == k + 1)) return;
+    if (one_of(word(has), {"has", "have", "gets", "get", "holds", "had", "keeps", "keep", "kept", "stores", "stored"}))
+      pass_over(after, has + 1, "there");
   }
 
   // "a desk with a lamp and, next to the desk, the old cabinet": the place is the cabinet's.
