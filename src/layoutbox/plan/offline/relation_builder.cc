@@ -52,6 +52,7 @@ void RelationBuilder::run() {
   stand_carriers_at_walls();
   keep_zones();
   carry_support();
+  seat_on_platforms();
   for (std::size_t i = 0; i < scene_.objects.size(); ++i) settle_mount(i);
   settle_stands();
   fill_whole_walls();

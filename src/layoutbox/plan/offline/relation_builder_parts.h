@@ -243,6 +243,7 @@ class RelationBuilder {
   void stand_carriers_at_walls();
   std::string own_of_several(std::size_t index, const std::string& host) const;
   void carry_support();
+  void seat_on_platforms();
   void drop_implied_support();
   std::string said_support(const std::string& object) const;
   bool is_small(std::size_t index) const;

@@ -29,7 +29,8 @@ bool Decoder::has_place(int u) const {
 
 void Decoder::list_actions(std::size_t s, int u) {
   const State& state = states_[s];
-  const double beside = unit(u).joiner == Joiner::kNone && is(u - 1, UnitKind::kNoun) ? weight::kNoJoiner : 0;
+  const bool unjoined = unit(u).joiner == Joiner::kNone && (is(u - 1, UnitKind::kNoun) || is(u - 1, UnitKind::kPlace));
+  const double beside = unjoined ? weight::kNoJoiner : 0;
   const std::size_t n = state.frontier.size();
   for (std::size_t level = 0; level < n; ++level) {
     const int member = state.frontier[level];
