@@ -100,6 +100,7 @@ class OfflinePlanner final : public Planner {
     settle_corrected_places(document);
     settle_opening_sizes(document);
     settle_door_swings(document);
+    share_out_openings(lexicon_, document);
     settle_opening_walls(lexicon_, document);
     settle_opening_ends(lexicon_, document);
     settle_finishes(lexicon_, document);

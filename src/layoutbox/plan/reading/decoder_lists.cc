@@ -300,7 +300,7 @@ double Decoder::reference_list_score(const State& state, int member, int u) cons
   const bool between = place >= 0 && says(unit(place).direct, RelationType::kBetween);
   const std::size_t first = chunk(u).first;
   const bool from = first > 0 && document_.tokens[first - 1].text == "from";  // "parts the lockers from the showers"
-  if (between && (from || !former.is_plural()) && reading.former < 0 && next_to_it && joiner == Joiner::kAnd) return 8;
+  if (between && (from || chunk(place).gap || !former.is_plural()) && reading.former < 0 && next_to_it && joiner == Joiner::kAnd) return 8;
   if (joiner != Joiner::kAnd || between || !next_to_it) return -6;
   const auto definite = [](const NounPhrase& n) {
     return n.determiner == Determiner::kDefinite || n.determiner == Determiner::kEach || n.determiner == Determiner::kBoth ||
