@@ -60,7 +60,8 @@ void complete_bare_corners(const Lexicon& lexicon, Document& document, std::vect
     std::vector<Token>& tokens = document.tokens;
     if (says_one_of(document, i, {"left", "right"})) std::swap(tokens[i].text, tokens[i + 1].text);
     const bool first = i == 0;
-    const bool article = !first && says_one_of(document, i - 1, {"the"}), place = !first && says_one_of(document, i - 1, {"in", "at", "on"});
+    const bool article = !first && says_one_of(document, i - 1, {"the"}),
+               place = !first && says_one_of(document, i - 1, {"in", "at", "on"});
     const bool verb = !first && lexicon.is(tokens[i - 1], WordClass::kPlaceVerb);  // "to the far right", "faces front left"
     if (verb || (article && (i < 2 || !says_one_of(document, i - 2, {"in", "at", "on"})))) continue;
     if (!article && !place) words.push_back({i, corner_word("in")});

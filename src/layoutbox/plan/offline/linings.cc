@@ -54,7 +54,8 @@ class Linings {
     return says_lining(at) && std::ranges::all_of(mention.items, [&](int item) { return is_free_at_walls(object(item).id, open); });
   }
 
-  // Told to be at walls and nowhere else: "shelves line the wall behind the counter" are at that wall; so are ten chairs along the left one.
+  // Told to be at walls and nowhere else: "shelves line the wall behind the counter" are at that wall; so are ten chairs along the left
+  // one.
   bool is_free_at_walls(const std::string& id, bool open) const {
     bool at_wall = false;
     for (const Relation& r : scene_.relations) {

@@ -47,6 +47,7 @@ void RelationBuilder::run() {
   set_heights();
   settle_kitchen();
   part_groups();
+  part_halves();
   part_from_neighbours();
   leave_small_vessels();
   stand_carriers_at_walls();

@@ -162,6 +162,7 @@ class RelationBuilder {
   void widen(int divider);
   void divide(std::size_t word);
   void part_groups();
+  void part_halves();
   void divide_groups();
   // A kitchen told by its units (kitchens.cc)
   bool stands_in_run(const std::string& object) const;

@@ -284,7 +284,8 @@ void RelationBuilder::drop_implied_support() {
   };
   const auto repeats = [&](const Relation& relation) {
     return std::any_of(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& other) {
-      const bool same = other.type == relation.type && other.targets == relation.targets && other.references == relation.references;
+      const bool same = other.type == relation.type && other.targets == relation.targets && other.references == relation.references &&
+                        other.parameters.side == relation.parameters.side;
       return same && other.id != relation.id && (!other.parameters.part.empty() || &other < &relation) && relation.parameters.part.empty();
     });
   };
