@@ -23,7 +23,8 @@ constexpr int kMoreSteps = 5;   // as long again as half of that, by a tenth of 
 
 struct Contents {
   std::vector<Size> on_top, inside;
-  int around = 0, along = 0;  // seats
+  std::vector<Size> least_on_top, least_inside;  // … at their least sizes
+  int around = 0, along = 0;                     // seats
   int before = 0;
   Mm front = 0;                      // width of the seats before it
   Mm abreast = 0;                    // … and of the screens on it, which stand side by side
@@ -91,7 +92,9 @@ Size size_that_holds(const CatalogEntry& entry, const SceneObject& host, const C
     larger.depth = size.depth + size.depth * step / kSteps;
     if (carries_all(entry, host, larger, contents)) return larger;
   }
-  return size;
+  Contents least = contents;  // "a plant stand with three ferns": small ones on a large one
+  least.on_top = contents.least_on_top, least.inside = contents.least_inside;
+  return carries_all(entry, host, larger, least) ? larger : size;
 }
 
 using ById = std::map<std::string, const SceneObject*>;
@@ -249,6 +252,7 @@ void normalize_hosts(NormalizeContext& context) {
       if ((!on && !in) || thing == by_id.end() || !thing->second->size) continue;
       const Size& size = thing->second->size->usual;
       (on ? contents.on_top : contents.inside).push_back(size);
+      (on ? contents.least_on_top : contents.least_inside).push_back(thing->second->size->least);
       if (!on || !context.catalog.entry_or_nearest(thing->second->category).is(Trait::kMonitor)) continue;
       contents.screens.push_back(target);
       contents.abreast += size.width + kGap;

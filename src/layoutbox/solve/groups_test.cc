@@ -140,5 +140,28 @@ TEST(Groups, ManyRoundTablesWithEightChairsEach) {
   }
 }
 
+// What has no front may stand turned: the circle is round its longer sides then too.
+TEST(Groups, ACircleAroundWhatStandsEitherWay) {
+  const struct {
+    const char *middle, *seat;
+    int seats;
+  } rings[] = {{"coffin", "candelabra", 6}, {"wood_stove", "floor_cushion", 3}};
+  for (const auto& ring : rings) {
+    for (const std::uint64_t seed : {1, 2, 3}) {
+      SceneMaker maker(5000, 4500);
+      maker.add(ring.middle).add(ring.seat, ring.seats);
+      std::vector<std::string> seats;
+      for (int seat = 1; seat <= ring.seats; ++seat) seats.push_back(ring.seat + ("_" + std::to_string(seat)));
+      maker.relate("surround", seats, {ring.middle + std::string("_1")});
+      SolveOptions options;
+      options.seed = seed;
+      const auto layout = solve(maker.make(), Catalog::builtin(), options);
+      ASSERT_TRUE(layout) << layout.error().message;
+      EXPECT_EQ(layout->status, LayoutStatus::kSolved) << ring.middle;
+      expect_sound(*layout);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace layoutbox::placement

@@ -25,19 +25,44 @@ bool names_corner(const Lexicon& lexicon, const Document& document, std::size_t 
   const std::size_t next = at + 2;
   if (next >= tokens.size() || tokens[at + 1].ends_sentence || tokens[next].kind == Token::Kind::kPunctuation) return true;
   if (says_one_of(document, next, {"of", "with"}) || lexicon.is(tokens[next], WordClass::kAnd)) return true;
+  // "Front right a chest": its place comes first.
+  const bool begins = at == 0 || tokens[at - 1].ends_sentence || tokens[at - 1].kind == Token::Kind::kPunctuation;
+  if (begins && (lexicon.is(tokens[next], WordClass::kIndefinite) || lexicon.is(tokens[next], WordClass::kNumber))) return true;
   return lexicon.find_phrase(tokens, next).length > 0 && lexicon.find(tokens, next, WordClass::kObject).length == 0;
+}
+
+// "Upstage center a throne, a chest downstage left": as who looks at the stage says it, whose right the actor's left is.
+void read_stage_words(Document& document, std::vector<bool>& skip) {
+  std::vector<Splice> words;
+  std::vector<Token>& tokens = document.tokens;
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    if (skip[i] || !says_one_of(document, i, {"upstage", "downstage"})) continue;
+    tokens[i].text = tokens[i].text == "upstage" ? "back" : "front";
+    const std::size_t next = i + 1;
+    if (says_one_of(document, next, {"left", "right"})) {
+      tokens[next].text = tokens[next].text == "left" ? "right" : "left";
+      continue;
+    }
+    if (says_one_of(document, next, {"wall", "corner"})) continue;
+    if (says_one_of(document, next, {"center"})) skip[next] = true;
+    for (const std::string_view word : {"at", "the"}) words.push_back({i, corner_word(word)});
+  }
+  splice(document, skip, std::move(words));
 }
 
 }  // namespace
 
 void complete_bare_corners(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
+  read_stage_words(document, skip);
   std::vector<Splice> words;
-  for (std::size_t i = 1; i + 1 < document.tokens.size(); ++i) {
+  for (std::size_t i = 0; i + 1 < document.tokens.size(); ++i) {
     if (skip[i] || !names_corner(lexicon, document, i)) continue;
     std::vector<Token>& tokens = document.tokens;
     if (says_one_of(document, i, {"left", "right"})) std::swap(tokens[i].text, tokens[i + 1].text);
-    const bool article = says_one_of(document, i - 1, {"the"}), place = says_one_of(document, i - 1, {"in", "at", "on"});
-    const bool verb = lexicon.is(tokens[i - 1], WordClass::kPlaceVerb);  // "to the far right", "faces front left"
+    const bool first = i == 0;
+    const bool article = !first && says_one_of(document, i - 1, {"the"}),
+               place = !first && says_one_of(document, i - 1, {"in", "at", "on"});
+    const bool verb = !first && lexicon.is(tokens[i - 1], WordClass::kPlaceVerb);  // "to the far right", "faces front left"
     if (verb || (article && (i < 2 || !says_one_of(document, i - 2, {"in", "at", "on"})))) continue;
     if (!article && !place) words.push_back({i, corner_word("in")});
     if (!article) words.push_back({i, corner_word("the")});

@@ -4,6 +4,8 @@
 #include <string_view>
 
 #include "layoutbox/plan/offline/chunks_parts.h"
+#include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
@@ -91,6 +93,8 @@ bool Chunker::read_distance() {
   if (lexicon_.find(tokens_, at, WordClass::kDimension).length > std::max<std::size_t>(lexicon_.find_phrase(tokens_, at).length, 1))
     return false;
   if (const std::size_t end = gap_ends(at); !apart && end > at) apart = true, at = end;
+  at_least |= one_of(tokens_[i_].text, {"keep", "keeping", "leave", "leaving"});
+  if (read_kept_free(at, measure->metres)) return true;
   const auto next_is = [&](std::initializer_list<std::string_view> words) {
     return at < tokens_.size() && std::find(words.begin(), words.end(), tokens_[at].text) != words.end();
   };
@@ -134,6 +138,31 @@ bool Chunker::read_distance() {
   chunk.distance = measure->metres;
   chunk.at_least = at_least;
   chunk.at_most = at_most;
+  return true;
+}
+
+// "85 cm free in front of the toilet", "2 m clear before and behind the saw": floor that is kept free, at those sides of what comes next.
+bool Chunker::read_kept_free(std::size_t at, double metres) {
+  if (at >= tokens_.size() || !one_of(tokens_[at].text, {"free", "clear", "open", "empty"})) return false;
+  while (++at < tokens_.size() && one_of(tokens_[at].text, {"floor", "space", "room"})) {
+  }
+  const PhraseMatch phrase = at < tokens_.size() ? lexicon_.find_phrase(tokens_, at) : PhraseMatch{};
+  if (phrase.length == 0) return false;
+  static const PhraseSenses kFront = direct_senses<RelationType::kInFrontOf>(), kBack = direct_senses<RelationType::kBehind>();
+  static const PhraseSenses kBoth = {kFront.front(), kBack.front()};
+  const auto front = [](const PhraseMatch& match) { return match.length > 0 && says(*match.senses, RelationType::kInFrontOf); };
+  const auto back = [](const PhraseMatch& match) { return match.length > 0 && says(*match.senses, RelationType::kBehind); };
+  std::size_t end = at + phrase.length;
+  bool before = front(phrase), behind = back(phrase);
+  if (!before && !behind) return false;
+  if (end + 1 < tokens_.size() && tokens_[end].text == "and") {
+    const PhraseMatch second = lexicon_.find_phrase(tokens_, end + 1);
+    if (front(second) || back(second)) end += 1 + second.length, before |= front(second), behind |= back(second);
+  }
+  Chunk& chunk = add(ChunkKind::kRelation, end - i_);
+  chunk.phrase = PhraseMatch{chunk.last - chunk.first, before && behind ? &kBoth : before ? &kFront : &kBack};
+  chunk.distance = metres;
+  chunk.gap = true;
   return true;
 }
 

@@ -127,6 +127,7 @@ class Chunker {
   bool read_hung_at();
   NounPhrase* may_hang();
   bool read_distance();
+  bool read_kept_free(std::size_t at, double metres);
   // Where the length of a gap begins; `led`: after "with", "leaving"; `said`: as "a gap of".
   struct Gap {
     std::size_t at;

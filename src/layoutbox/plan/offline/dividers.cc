@@ -148,6 +148,37 @@ void RelationBuilder::part_groups() {
   }
 }
 
+// "A bed in the left half, a desk in the right half and a shelf between them": between the two halves.
+void RelationBuilder::part_halves() {
+  const auto first_in = [&](RoomRegion region, const std::string& but) -> std::string {
+    const auto found = std::ranges::find_if(scene_.relations, [&](const Relation& r) {
+      const SceneObject* object = r.targets.size() == 1 ? object_of(r.targets[0]) : nullptr;
+      return r.type == R::kInRegion && r.asked() && r.parameters.region == region && object != nullptr && object->id != but &&
+             is_heavy(catalog_, noun_of_object(*object));
+    });
+    return found == scene_.relations.end() ? std::string{} : found->targets[0];
+  };
+  std::vector<std::string> parting;
+  for (Relation& between : scene_.relations) {
+    const bool said = words_.have_phrase(between, {"between", "them"}) || words_.have_phrase(between, {"between", "both"}) ||
+                      words_.have_phrase(between, {"between", "the", "two"});
+    if (between.type != R::kNextTo || between.targets.size() != 1 || !said) continue;
+    for (const auto& [one, other] : {std::pair{RoomRegion::kLeft, RoomRegion::kRight}, std::pair{RoomRegion::kFront, RoomRegion::kBack}}) {
+      const std::string a = first_in(one, between.targets[0]), b = first_in(other, between.targets[0]);
+      if (a.empty() || b.empty()) continue;
+      between.type = R::kBetween;
+      between.references = {a, b};
+      parting.push_back(between.targets[0]);
+      break;
+    }
+  }
+  for (Relation& r : scene_.relations) {
+    if (r.type != R::kInRegion || r.targets.size() != 1 || std::ranges::find(parting, r.targets[0]) == parting.end()) continue;
+    r.hard = false;  // it is in neither
+    r.origin = Origin::kConcluded;
+  }
+}
+
 void RelationBuilder::divide_groups() {
   std::size_t sentence = document_.tokens.size();
   for (std::size_t i = 0; i < document_.tokens.size(); ++i) {

@@ -50,11 +50,21 @@ class Linings {
 
   bool lines_walls(int at) const {
     const Mention& mention = document_.mentions[static_cast<std::size_t>(at)];
-    return says_lining(at) && std::ranges::all_of(mention.items, [&](int item) {
-             return std::ranges::any_of(scene_.relations, [&](const Relation& r) {
-               return r.type == RelationType::kAgainstWall && r.asked() && std::ranges::find(r.targets, object(item).id) != r.targets.end();
-             });
-           });
+    const bool open = is_open(mention.noun);
+    return says_lining(at) && std::ranges::all_of(mention.items, [&](int item) { return is_free_at_walls(object(item).id, open); });
+  }
+
+  // Told to be at walls and nowhere else: "shelves line the wall behind the counter" are at that wall; so are ten chairs along the left
+  // one.
+  bool is_free_at_walls(const std::string& id, bool open) const {
+    bool at_wall = false;
+    for (const Relation& r : scene_.relations) {
+      if (!r.asked() || std::ranges::find(r.targets, id) == r.targets.end()) continue;
+      const bool wall = r.type == RelationType::kAgainstWall;
+      at_wall |= wall && (open || r.references.empty());
+      if (!wall && (traits_of(r.type).beside || r.type == RelationType::kGrid || r.type == RelationType::kOpposite)) return false;
+    }
+    return at_wall;
   }
 
   // "a long bar with stools in front": nobody counts them.

@@ -14,6 +14,7 @@
 #include "layoutbox/plan/offline/courtesy.h"
 #include "layoutbox/plan/offline/examples.h"
 #include "layoutbox/plan/offline/forward_counts.h"
+#include "layoutbox/plan/offline/halves.h"
 #include "layoutbox/plan/offline/inserts.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/labels.h"
@@ -81,6 +82,7 @@ class OfflinePlanner final : public Planner {
     part_runs(lexicon_, document, skip);
     read_examples(lexicon_, document, skip);
     complete_wall_lists(lexicon_, document, skip);
+    read_halves(lexicon_, document, skip);
     complete_bare_corners(lexicon_, document, skip);
     read_seats_said(lexicon_, document, skip);
     read_labels(lexicon_, document, skip);
@@ -100,6 +102,7 @@ class OfflinePlanner final : public Planner {
     settle_corrected_places(document);
     settle_opening_sizes(document);
     settle_door_swings(document);
+    share_out_openings(lexicon_, document);
     settle_opening_walls(lexicon_, document);
     settle_opening_ends(lexicon_, document);
     settle_finishes(lexicon_, document);

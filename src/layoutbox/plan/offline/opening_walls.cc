@@ -3,6 +3,7 @@
 
 #include "layoutbox/catalog/opening_look.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
+#include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/offline/room_reader.h"
 #include "layoutbox/plan/offline/word_sets.h"
 
@@ -72,6 +73,64 @@ SideSaid side_said_at(const Lexicon& lexicon, const Document& document, std::siz
 
 }  // namespace
 
+namespace {
+
+// One of several openings, or so many of them, and the wall that is theirs.
+struct WallShare {
+  std::size_t chunk = 0, last = 0;  // the word that says how many, and the token behind the wall
+  int count = 1;
+  std::string wall;
+};
+
+// "…, one on the left wall", "two on the back", "one front", in the chunk c.
+std::optional<WallShare> wall_share_at(const Lexicon& lexicon, const Document& document, std::size_t c, int left) {
+  const Chunk& chunk = document.chunks[c];
+  const NounPhrase& noun = chunk.noun;
+  if (chunk.kind != ChunkKind::kNoun || noun.kind != NounKind::kMember || noun.of) return {};
+  std::size_t i = chunk.last;
+  while (says_one_of(document, i, {"on", "in", "at", "to", "along", "the", "is", "are"})) ++i;
+  const Match side = i < document.tokens.size() ? lexicon.find(document.tokens, i, WordClass::kWallWord) : Match{};
+  if (side.length == 0) return {};
+  WallShare share{c, i + side.length, noun.count > 0 ? noun.count : 1, std::string(meaning_of(side, WordClass::kWallWord)->word)};
+  if (says_one_of(document, share.last, {"wall", "side", "end"})) ++share.last;
+  if (noun.determiner == Determiner::kBoth || (noun.determiner == Determiner::kOther && noun.plural)) share.count = left;
+  const bool ends = share.last >= document.tokens.size() || document.tokens[share.last].kind == Token::Kind::kPunctuation ||
+                    document.tokens[share.last - 1].ends_sentence || lexicon.is(document.tokens[share.last], WordClass::kAnd);
+  return ends ? std::optional(share) : std::nullopt;
+}
+
+}  // namespace
+
+// "three doors, one on the left wall, two on the back": as many of them are named once more, each with its wall.
+void share_out_openings(const Lexicon& lexicon, Document& document) {
+  std::vector<Chunk>& chunks = document.chunks;
+  for (std::size_t k = 0; k < chunks.size(); ++k) {
+    const NounPhrase all = chunks[k].noun;
+    if (chunks[k].kind != ChunkKind::kNoun || !is_opening(all) || all.count < 2) continue;
+    std::vector<WallShare> shares;
+    int left = all.count;
+    for (std::size_t c = k + 1; c < chunks.size() && left > 0; ++c) {
+      if (chunks[c].kind == ChunkKind::kComma || chunks[c].kind == ChunkKind::kAnd || chunks[c].kind == ChunkKind::kIgnored) continue;
+      const auto share = wall_share_at(lexicon, document, c, left);
+      if (!share) break;
+      shares.push_back(*share);
+      left -= share->count;
+      while (c + 1 < chunks.size() && chunks[c + 1].first < share->last) ++c;
+    }
+    if (left != 0) continue;
+    for (const WallShare& share : shares) {
+      NounPhrase& one = chunks[share.chunk].noun;
+      NounPhrase own = all;
+      own.first = one.first, own.last = one.last;
+      own.count = share.count, own.plural = share.count > 1;
+      own.wall_word = share.wall;
+      one = std::move(own);
+      take_chunks(document, chunks[share.chunk].last, share.last, "which wall");
+    }
+    take_chunks(document, chunks[k].first, chunks[k].last, "doors and windows");
+  }
+}
+
 // "a window to the east", "the entrance is on the left", "the window faces south": which wall.
 void settle_opening_walls(const Lexicon& lexicon, Document& document) {
   std::vector<Chunk>& chunks = document.chunks;
@@ -115,12 +174,21 @@ namespace {
 std::pair<std::string, std::size_t> end_said_at(const Document& document, std::size_t i) {
   const auto is = [&](std::size_t at, std::initializer_list<std::string_view> words) { return says_one_of(document, at, words); };
   // "door on the short side, balcony door opposite."
-  const bool across = is(i, {"opposite"}) && (i + 1 >= document.tokens.size() || document.tokens[i + 1].kind == Token::Kind::kPunctuation);
+  if (is(i, {"directly", "right", "straight"}) && is(i + 1, {"opposite"})) ++i;
+  if (is(i, {"opposite"}) && is(i + 1, {"it", "that"})) return {"other", i + 2};
+  const bool across = is(i, {"opposite"}) && (i + 1 >= document.tokens.size() || document.tokens[i].ends_sentence ||
+                                              document.tokens[i + 1].kind == Token::Kind::kPunctuation);
+  if (is(i, {"on", "in"}) && is(i + 1, {"the"}) && is(i + 2, {"same"}) && is(i + 3, {"wall", "side"})) return {"same", i + 4};
   if (is(i, {"at", "on"}) && is(i + 1, {"both", "each", "either"}) && is(i + 2, {"end", "ends"}))
     return {"ends", i + (is(i + 3, {"of"}) && is(i + 4, {"the", "it"}) ? is(i + 4, {"it"}) ? 5 : 6 : 3)};
-  if (is(i, {"at", "on", "in", "along"}) && is(i + 1, {"both", "each"}) && is(i + 2, {"long", "longer"}) &&
-      is(i + 3, {"side", "sides", "wall", "walls"}))
-    return {"lengths", i + 4};
+  // "on both long walls", "in each of the short walls", "one per long wall"
+  const bool per = is(i, {"per"});
+  if (per || (is(i, {"at", "on", "in", "along"}) && is(i + 1, {"both", "each"}))) {
+    std::size_t wall = i + (per ? 1 : 2);
+    while (is(wall, {"of", "the"})) ++wall;
+    if (is(wall, {"long", "longer", "short", "shorter"}) && is(wall + 1, {"side", "sides", "wall", "walls", "end", "ends"}))
+      return {document.tokens[wall].text.starts_with("long") ? "lengths" : "ends", wall + 2};
+  }
   if (is(i, {"on", "in", "along"}) && is(i + 1, {"two", "three", "both"}) && is(i + 2, {"sides", "walls"})) return {"sides", i + 3};
   if (is(i, {"opposite", "facing"}) && is(i + 1, {"each"}) && is(i + 2, {"other"})) return {"across", i + 3};
   if (!across && !is(i++, {"at", "on", "in"})) return {};
@@ -132,6 +200,8 @@ std::pair<std::string, std::size_t> end_said_at(const Document& document, std::s
   if (end || (side && !word.empty())) ++i;
   if (end && word.empty()) word = "short";
   if (word.empty() || is(i, {"wall", "walls"}) || (!end && !side && word != "other")) return {};
+  const bool of_wall = is(i, {"of"}) && is(i + 1, {"the"}) && is(i + 3, {"wall"});  // "at the end of the left wall"
+  if (of_wall) return {};
   if (is(i, {"of"}) && is(i + 1, {"the", "it"})) i += is(i + 1, {"it"}) ? 2 : 3;  // "of the room"
   return {word, i};
 }

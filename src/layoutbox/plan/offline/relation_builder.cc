@@ -47,11 +47,13 @@ void RelationBuilder::run() {
   set_heights();
   settle_kitchen();
   part_groups();
+  part_halves();
   part_from_neighbours();
   leave_small_vessels();
   stand_carriers_at_walls();
   keep_zones();
   carry_support();
+  seat_on_platforms();
   for (std::size_t i = 0; i < scene_.objects.size(); ++i) settle_mount(i);
   settle_stands();
   fill_whole_walls();
@@ -72,6 +74,7 @@ bool RelationBuilder::repeats_known(const Link& link, R type, const std::vector<
   for (const std::string& target : targets) key += " " + target;
   key += ">";
   for (const std::string& reference : references) key += " " + reference;
+  if (sense.side && type == R::kClearance) key += " at " + std::string(name_of(*sense.side));
   if (const auto [known, fresh] = known_.try_emplace(key, scene_.relations.size()); !fresh) {
     RelationParameters& said = scene_.relations[known->second].parameters;
     if (type == R::kRow && link.distance) said.gap = mm_from_m(*link.distance);
@@ -203,12 +206,27 @@ void RelationBuilder::place_before_walls() {
 // "80 cm between the sofa and the table", "a metre between the bed and the wall"
 void RelationBuilder::add_gap(const Link& link) {
   std::vector<std::string> ends = ids(items_of(link.references));
+  for (const auto& [place, side] : {std::pair{R::kInFrontOf, Side::kFront}, std::pair{R::kBehind, Side::kBack}}) {
+    if (!says(link.senses, place)) continue;
+    for (const std::string& kept : ends) {
+      PhraseSense free{R::kClearance, Direction::kDirect, {}, {}, {}};
+      free.side = side;
+      add(link, R::kClearance, {kept}, {}, free);
+      scene_.relations.back().parameters.depth = mm_from_m(*link.distance);
+    }
+  }
+  if (!says(link.senses, R::kBetween) && !says(link.senses, R::kDistance)) return;
   for (const int m : link.references) {
     const NounKind kind = mention(m).noun.kind;
     const bool of_room = mention(m).items.empty() && (kind == NounKind::kWall || kind == NounKind::kDoor || kind == NounKind::kWindow);
     if (of_room && ends.size() == 1) ends.push_back(room_reference(mention(m).noun, R::kDistance).front());
   }
   if (ends.size() == 2) add(link, R::kDistance, {ends[0]}, {ends[1]});
+  // "80 cm between the desks and the wardrobe": of each of them.
+  if (ends.size() < 3 || link.references.size() != 2 || mention(link.references.back()).items.empty()) return;
+  for (const int one : mention(link.references.front()).items) {
+    for (const int other : mention(link.references.back()).items) add(link, R::kDistance, {id(one)}, {id(other)});
+  }
 }
 
 // "in a row", "on the ceiling": by nothing that is named.

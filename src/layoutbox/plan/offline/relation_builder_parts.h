@@ -162,6 +162,7 @@ class RelationBuilder {
   void widen(int divider);
   void divide(std::size_t word);
   void part_groups();
+  void part_halves();
   void divide_groups();
   // A kitchen told by its units (kitchens.cc)
   bool stands_in_run(const std::string& object) const;
@@ -243,6 +244,7 @@ class RelationBuilder {
   void stand_carriers_at_walls();
   std::string own_of_several(std::size_t index, const std::string& host) const;
   void carry_support();
+  void seat_on_platforms();
   void drop_implied_support();
   std::string said_support(const std::string& object) const;
   bool is_small(std::size_t index) const;

@@ -78,7 +78,11 @@ void RelationBuilder::settle_sense(const Link& link, PhraseSense& sense, const M
   const Mount mount = mount_of(target.noun);
   // What lies on something itself has things beside it.
   const bool lies = host.entry == nullptr && !said_support(id(references.front())).empty();
-  if (!lies && is_side_on(link, sense, target.noun, host)) {
+  // "flanked by two lanterns, one on its left": beside it
+  const bool flanks_it = std::ranges::any_of(relations_of(id(target.items.front())), [&](std::size_t r) {
+    return scene_.relations[r].type == R::kEachSideOf && scene_.relations[r].references.front() == id(references.front());
+  });
+  if (!lies && !flanks_it && is_side_on(link, sense, target.noun, host)) {
     sense.part = sense.type == R::kLeftOf ? PartWord::kLeft : PartWord::kRight;
     sense.type = R::kOn;
   }

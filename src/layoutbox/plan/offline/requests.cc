@@ -34,6 +34,7 @@ class RequestReader : public TokenReader {
       read_position(i);
       read_said_by(i);
       read_neither(i);
+      read_both(i);
       read_elided(i);
       read_one_floor(i);
       if (is(i, {"apiece"})) tokens_[i].text = "each";
@@ -264,6 +265,18 @@ class RequestReader : public TokenReader {
     leave_out(i, i + 1);
     leave_out(may, end);
     tokens_[nor].text = "and";
+  }
+
+  // "Both a sign and a panel are mounted there": two that are listed; but "above both a shelf".
+  void read_both(std::size_t i) {
+    constexpr std::size_t kReach = 12;  // tokens
+    if (!is(i, {"both"}) || !is_article(i + 1)) return;
+    if (i > 0 && !tokens_[i - 1].ends_sentence && tokens_[i - 1].kind == Token::Kind::kWord &&
+        !lexicon_.is(tokens_[i - 1], WordClass::kHave) && !is(i - 1, {"is", "are"}))
+      return;
+    for (std::size_t at = i + 2; at < i + kReach && !ends(at) && tokens_[at].kind != Token::Kind::kPunctuation; ++at) {
+      if (is(at, {"and"})) return leave_out(i, i + 1);
+    }
   }
 
   // "My father's chair stands by the window, my mother's by the bookcase": another one.

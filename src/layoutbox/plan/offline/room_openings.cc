@@ -145,7 +145,8 @@ std::string wall_across(std::string_view wall) {
 
 std::string wall_of_opening(const std::string& word, OpeningType type, const Room& room) {
   if (word == "across") {  // from the door, or from the window
-    const auto by = std::ranges::find_if(room.openings, [&](const Opening& opening) { return opening.type != type; });
+    auto by = std::ranges::find_if(room.openings, [&](const Opening& opening) { return opening.type != type; });
+    if (by == room.openings.end() && type == OpeningType::kDoor) by = room.openings.begin();  // "a second door opposite the entrance"
     const std::string wall = by == room.openings.end() ? std::string{} : wall_across(by->wall);
     return !wall.empty() ? wall : type == OpeningType::kWindow ? "back" : "front";
   }
@@ -155,6 +156,7 @@ std::string wall_of_opening(const std::string& word, OpeningType type, const Roo
     }
     return {};
   }
+  if (word == "same") return room.openings.empty() ? "back" : room.openings.back().wall;
   if (word == "other") return room.openings.empty() ? std::string{} : wall_across(room.openings.back().wall);
   if (word != "short" && word != "long" && word != "ends" && word != "lengths") return word;
   NounPhrase wall;

@@ -186,7 +186,8 @@ PlacedOpenings placed_openings(const Document& document) {
       std::string wall = mention.noun.wall_word, corner;
       for (const int reference : link.references) {
         const NounPhrase& by = document.mentions[static_cast<std::size_t>(reference)].noun;
-        const std::string said = wall_said(link, by);
+        std::string said = wall_said(link, by);
+        if (said == "across" && by.kind == mention.noun.kind) said = "other";  // "a second door opposite the entrance"
         // "windows in the left and back walls": of several one in each, as they are named.
         const bool many = openings_said(mention.noun) > 1 || mention.noun.plural;
         if (by.kind == NounKind::kWall && !said.empty() && !wall.empty() && wall != said && many) placed.push_back({&mention, wall, {}});

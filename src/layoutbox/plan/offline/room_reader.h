@@ -32,6 +32,8 @@ void settle_door_swings(Document& document);
 
 // "a window to the east", "the entrance is on the left": the side becomes the opening's wall word.
 void settle_opening_walls(const Lexicon& lexicon, Document& document);
+// "three doors, one on the left wall, two on the back"
+void share_out_openings(const Lexicon& lexicon, Document& document);
 
 // The name of what is said of both: "black tiles".
 inline constexpr std::string_view kWallsAndFloor = "walls and floor";

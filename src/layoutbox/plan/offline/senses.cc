@@ -33,6 +33,9 @@ bool allowed(const PhraseSense& sense, const NounPhrase& reference) {
     case R::kCenterOfRoom: return reference.kind == NounKind::kRoom || reference.kind == NounKind::kAbstract;  // "… of the bay"
     case R::kOnCeiling: return reference.kind == NounKind::kCeiling;
     case R::kUnderWindow: return reference.kind == NounKind::kWindow;
+    case R::kUnder:
+      if (reference.kind == NounKind::kDoor) return false;
+      return (row.reference_kinds & kind_flags(reference)) != 0;
     case R::kOn:
       if (reference.kind == NounKind::kAbstract && sense.part.has(PartWord::kCenter)) return false;
       return (kind_flags(reference) & kObject) != 0 || reference.kind == NounKind::kFloor || reference.kind == NounKind::kWindow;
@@ -162,12 +165,21 @@ class SenseChooser {
     if (head == "end" && (!reference_.wall_word.empty() || flat) && mount_of(target_) == Mount::kSurface) return on_part(PartWord::kEnd);
     // "at the far end of the sofa": only what one lies on has a foot.
     if (head == "end" && whole != nullptr && (is_seat(catalog_, *whole) || is_storage(*whole))) return own(R::kNextTo);
+    const bool of_room = reference_.of && reference_.of->kind == NounKind::kRoom;
+    if (head == "end" && of_room) return at_end_of_room();
     if (head == "foot" || head == "end" || (head == "bottom" && !says(R::kOn))) return own(R::kAtFootOf);
     if (head == "headboard" && says(R::kAbove)) return own(R::kAbove);
     if (head == "head" || head == "headboard") return own(R::kAtHeadOf);
     if (head == "side" || head == "edge") return at_side();
     if (one_of(head, WordSet::kTops) && (says(&RelationTraits::rests) || says(R::kCenterOfRoom))) return own(R::kOn);
     return std::nullopt;
+  }
+
+  // "One end of the room is given over to a bar."
+  PhraseSense at_end_of_room() const {
+    PhraseSense sense = own(R::kInRegion);
+    sense.region = RoomRegion::kBack;
+    return sense;
   }
 
   std::optional<PhraseSense> at_side() const {
@@ -338,7 +350,8 @@ int suits(const Catalog& catalog, const PhraseSense& sense, const NounPhrase& ta
     case R::kAbove: return suits_above(catalog, target, reference);
     case R::kOpposite: return mount == Mount::kSurface ? 0 : 2;
     case R::kAround:
-    case R::kSurround:  // "a tureen in the middle of the table, six bowls around it"
+    case R::kSurround:  // "a tureen in the middle of the table, six bowls around it"; cushions are sat on
+      if (is_textile(catalog, target)) return 2;
       return mount == Mount::kSurface && reference.kind == NounKind::kObject && mount_of(reference) == Mount::kFloor ? 0 : 2;
     default: return suits_beside(sense.type, target, reference);
   }

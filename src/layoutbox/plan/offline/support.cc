@@ -202,6 +202,29 @@ void RelationBuilder::carry_support() {
   }
 }
 
+// "A low table on a platform, four cushions around it": who sits at what stands on a platform sits up there.
+void RelationBuilder::seat_on_platforms() {
+  const std::size_t said = scene_.relations.size();
+  for (std::size_t r = 0; r < said; ++r) {
+    const Relation by = scene_.relations[r];
+    if (!by.hard || by.references.size() != 1 || by.type == R::kFacing) continue;
+    const bool drawn_up = traits_of(by.type).around || by.type == R::kTuckedUnder || by.type == R::kInFrontOf || by.type == R::kBehind;
+    const SceneObject* platform = object_of(said_support(by.references.front()));
+    if (!drawn_up || platform == nullptr || noun_of_object(*platform).entry == nullptr || noun_of_object(*platform).entry->thin) continue;
+    for (const std::string& seat : by.targets) {
+      const SceneObject* object = object_of(seat);
+      if (object == nullptr || !said_support(seat).empty()) continue;
+      const NounPhrase& noun = noun_of_object(*object);
+      if (!is_seat(catalog_, noun) || mount_of(noun) != Mount::kFloor || !may_carry(catalog_, noun_of_object(*platform), noun)) continue;
+      Link link;
+      link.first = noun.first;
+      link.last = noun.last;
+      link.concluded = true;
+      add(link, R::kOn, {seat}, {platform->id});
+    }
+  }
+}
+
 // "Plates set with napkins to their right": what is said to be beside something is not on it as well.
 void RelationBuilder::part_from_neighbours() {
   const auto is_beside = [&](const Relation& on) {
@@ -261,7 +284,8 @@ void RelationBuilder::drop_implied_support() {
   };
   const auto repeats = [&](const Relation& relation) {
     return std::any_of(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& other) {
-      const bool same = other.type == relation.type && other.targets == relation.targets && other.references == relation.references;
+      const bool same = other.type == relation.type && other.targets == relation.targets && other.references == relation.references &&
+                        other.parameters.side == relation.parameters.side;
       return same && other.id != relation.id && (!other.parameters.part.empty() || &other < &relation) && relation.parameters.part.empty();
     });
   };

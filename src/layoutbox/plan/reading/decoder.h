@@ -187,6 +187,8 @@ class Decoder {
   bool is_told_on_floor(const State& state, int subject) const;
   double antecedent_place_score(const State& state, Referent referent, Referent subject, const PhraseSenses& senses,
                                 const NounPhrase* noun) const;
+  bool is_over_or_under(const State& state, Referent one, Referent other) const;
+  double apart_score(const State& state, Referent referent, Referent subject, const PhraseSenses& senses) const;
   double standing_score(const State& state, Referent referent, Referent subject, const PhraseSenses& senses) const;
   bool is_of_one_group(const State& state, Referent group, Referent subject, const NounPhrase* noun) const;
   int things_of(const State& state, Referent referent, bool list) const;

@@ -253,11 +253,12 @@ void Decoder::alone_of_room(std::size_t s, int u, std::size_t level, double gain
   room.kind = NounKind::kRoom;
   const double fits = sense_.of_place(senses, noun_of(state, member), room);
   const bool many = says(senses, RelationType::kRow) || says(senses, RelationType::kGrid) || says(senses, RelationType::kColumn);
-  // "On the desk a blotter in the center": what no list has lies there as well.
-  const int carrier = state.fronted.empty() ? kNobody : state.fronted.front() + 1;
-  const bool on_fronted = carrier >= 0 && says(unit(carrier - 1).direct, RelationType::kOn) && is_thing(state, carrier) &&
-                          (noun_of(state, member).entry == nullptr || is_table(lexicon_.catalog(), noun_of(state, carrier)) ||
-                           sense_.carries(noun_of(state, carrier), noun_of(state, member)));
+  // "On the desk a blotter in the center", "on it: a cello in the middle": whatever else such things lie on.
+  const int front = state.fronted.empty() ? -1 : state.fronted.front();
+  const Referent carrier = front < 0 ? kNobody : read_as(state, front).alone ? read_as(state, front).implied : front + 1;
+  const bool on_fronted = front >= 0 && is_thing(state, carrier) &&
+                          says(read_as(state, front).alone ? alone_senses(front) : unit(front).direct, RelationType::kOn) &&
+                          !(noun_of(state, carrier).entry != nullptr && noun_of(state, carrier).entry->thin);
   // "a table with a laptop in the center": of the table; "a counter with a sink in the middle": let into it.
   const Referent host = host_of(state, member);
   const CatalogEntry* entry = noun_of(state, member).entry;
@@ -280,7 +281,7 @@ void Decoder::alone_of_room(std::size_t s, int u, std::size_t level, double gain
   if (lies && is_thing(state, host)) gain += weight::kSmallByPlace;
   for (const Candidate& meant : lies&& host == kNobody && state.fronted.empty() ? carriers(state, member) : std::vector<Candidate>{})
     add(s, kAttachAlone, gain + meant.score, member, member, meant.referent);
-  if (lies && !state.fronted.empty()) add(s, kAttachAlone, gain + 1, member, member, state.fronted.front() + 1);
+  if (lies && is_thing(state, carrier)) add(s, kAttachAlone, gain + 1, member, member, carrier);
   // "a bed with two nightstands in the middle", "desks with chairs in rows": the bed and the desks
   if (comes_with(state, member) && unit(u).joiner == Joiner::kNone &&
       (many ? several(state, host) : says(senses, RelationType::kCenterOfRoom)))

@@ -79,7 +79,8 @@ bool Decoder::consider(std::vector<Candidate>& all, const State& state, Referent
   // "a stove, two armchairs, a rug between them": between two, not three.
   const bool crowd = between && things_of(state, referent, list) > 2;
   double score = (crowd ? weight::kBetweenMany : 0) + weight::kOrder * order + (by_opening ? weight::kItIsOpening : opening ? -0.3 : 0);
-  if (noun != nullptr) score += number_score(*noun, list || several(state, referent));
+  const bool heap = noun != nullptr && noun->plural && meant.collective;  // "a stack of plates, a jug beside them"
+  if (noun != nullptr) score += number_score(*noun, list || heap || several(state, referent));
   if (senses != nullptr && subject != kNobody && is_thing(state, subject))
     score += antecedent_place_score(state, referent, subject, *senses, noun);
   for (Candidate& before : all) {
@@ -128,7 +129,33 @@ double Decoder::antecedent_place_score(const State& state, Referent referent, Re
   const bool unsaid = noun != nullptr && noun->head.empty();
   if (before && unsaid && subject >= 0 && referent == owner && stands(target) && stands(meant)) score += weight::kOwnHost;
   if (before && has_it && small && is_table(lexicon_.catalog(), meant)) score += weight::kBeforeHost;
-  return score + standing_score(state, referent, subject, senses);
+  return score + standing_score(state, referent, subject, senses) + apart_score(state, referent, subject, senses);
+}
+
+// "A clock hangs above the bed": neither is beside the other then.
+bool Decoder::is_over_or_under(const State& state, Referent one, Referent other) const {
+  for (int p = 0; p < static_cast<int>(state.units.size()); ++p) {
+    const UnitReading& place = read_as(state, p);
+    if (!is(p, UnitKind::kPlace) || place.inverse || place.subject == kNobody) continue;
+    const PhraseSenses& senses = place.alone ? alone_senses(p) : unit(p).direct;
+    if (!says(senses, RelationType::kAbove) && !says(senses, RelationType::kUnder)) continue;
+    const Referent by = place.alone ? place.implied : p + 1;
+    const auto are = [&](Referent a, Referent b) { return same(state, place.subject, a) && same(state, by, b); };
+    if (by != kNobody && (are(one, other) || are(other, one))) return true;
+  }
+  return false;
+}
+
+// … and nothing is beside what lies on it.
+double Decoder::apart_score(const State& state, Referent referent, Referent subject, const PhraseSenses& senses) const {
+  const bool side = says(senses, RelationType::kLeftOf) || says(senses, RelationType::kRightOf) || says(senses, RelationType::kNextTo);
+  if (!side || referent == kNobody || subject == kNobody || !is_thing(state, referent)) return 0;
+  bool carried = false;
+  for (int u = 0; u < static_cast<int>(state.units.size()) && !carried && sense_.carries(noun_of(state, subject), noun_of(state, referent));
+       ++u)
+    carried =
+        is(u, UnitKind::kNoun) && is_thing(state, host_of(state, u)) && same(state, u, referent) && same(state, host_of(state, u), subject);
+  return carried || is_over_or_under(state, referent, subject) ? weight::kUnlikely : 0;
 }
 
 // … by whether the two stand, lie or hang.

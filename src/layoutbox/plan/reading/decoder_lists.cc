@@ -29,7 +29,8 @@ bool Decoder::has_place(int u) const {
 
 void Decoder::list_actions(std::size_t s, int u) {
   const State& state = states_[s];
-  const double beside = unit(u).joiner == Joiner::kNone && is(u - 1, UnitKind::kNoun) ? weight::kNoJoiner : 0;
+  const bool unjoined = unit(u).joiner == Joiner::kNone && (is(u - 1, UnitKind::kNoun) || is(u - 1, UnitKind::kPlace));
+  const double beside = unjoined ? weight::kNoJoiner : 0;
   const std::size_t n = state.frontier.size();
   for (std::size_t level = 0; level < n; ++level) {
     const int member = state.frontier[level];
@@ -299,7 +300,7 @@ double Decoder::reference_list_score(const State& state, int member, int u) cons
   const bool between = place >= 0 && says(unit(place).direct, RelationType::kBetween);
   const std::size_t first = chunk(u).first;
   const bool from = first > 0 && document_.tokens[first - 1].text == "from";  // "parts the lockers from the showers"
-  if (between && (from || !former.is_plural()) && reading.former < 0 && next_to_it && joiner == Joiner::kAnd) return 8;
+  if (between && (from || chunk(place).gap || !former.is_plural()) && reading.former < 0 && next_to_it && joiner == Joiner::kAnd) return 8;
   if (joiner != Joiner::kAnd || between || !next_to_it) return -6;
   const auto definite = [](const NounPhrase& n) {
     return n.determiner == Determiner::kDefinite || n.determiner == Determiner::kEach || n.determiner == Determiner::kBoth ||

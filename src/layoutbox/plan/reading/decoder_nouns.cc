@@ -222,7 +222,8 @@ double Decoder::reference_score(const State& state, int place, Referent referenc
     }
   }
   if (chunk(place).hang && is_heavy(lexicon_.catalog(), target)) score += weight::kHeavyHung;
-  return fronted ? score : score + habit_score(state, place, subject, other, unit(place).direct);
+  if (fronted) return score;
+  return score + habit_score(state, place, subject, other, unit(place).direct) + apart_score(state, other, subject, unit(place).direct);
 }
 
 // Seats of a table or desk, nightstands of a bed: where such a group is said to be is where its head is.

@@ -312,6 +312,8 @@ void Decoder::first_place_actions(std::size_t s, int u) {
   const NounPhrase& noun = chunk(u + 1).noun;
   // "…, in front of the sofa is a table": the place comes first.
   int after = u + 2;
+  const bool between = says(place.direct, RelationType::kBetween);  // "… and between it and the bed stands a cabinet"
+  if (between && is(after, UnitKind::kNoun) && unit(after).joiner == Joiner::kAnd && is_known_noun(chunk(after).noun)) ++after;
   while (is(after, UnitKind::kPlace) && unit(after).joiner == Joiner::kNone && follows(after, UnitKind::kNoun)) after += 2;
   // "… and near it, against the wall, a sideboard"
   int last = after;
@@ -332,7 +334,7 @@ void Decoder::first_place_actions(std::size_t s, int u) {
   if (verb && is(after + 1, UnitKind::kNoun) && chunk(after + 1).noun.kind == NounKind::kObject) pattern = 2.5;
   if (is(after, UnitKind::kNoun) && unit(after).joiner == Joiner::kComma && place.joiner != Joiner::kComma &&
       is_new_thing(chunk(after).noun))
-    pattern = listed ? 2.5 : 1.2;
+    pattern = listed || is_subject(after) ? 2.5 : 1.2;  // "… and in the middle, cleared for play, a rug is spread"
   if (is(after, UnitKind::kOpen)) pattern = 2.5;
   // "…, and nearby a table stands in the center"
   if (!place.alone.empty() && is_new_thing(noun) && verb_like(u + 2) && unit(u + 2).joiner == Joiner::kNone) {

@@ -74,6 +74,7 @@ class Scribe {
   std::size_t row_along_walls(const Link& link, int target, const NounPhrase& wall) const;
   void grow_at_two_walls(const Link& link);
   void grow_along_walls(const Link& link, int target, const NounPhrase& wall);
+  bool is_one_of_each(int mention) const;
   void grow_for_reference(int index, int mention, bool both);
   void fill_reference(int u, int mention);
   void fill_content(int u, int mention);

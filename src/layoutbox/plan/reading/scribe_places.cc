@@ -10,6 +10,15 @@ namespace layoutbox::offline {
 
 using Use = WordReading::Use;
 
+// "every table has a candle": there for each of them.
+bool Scribe::is_one_of_each(int mention) const {
+  if (!is_thing(mention) || mention_at(mention).items.size() < 2 || noun_of(mention).determiner != Determiner::kIndefinite) return false;
+  return std::any_of(document_.links.begin() + static_cast<std::ptrdiff_t>(sentence_links_), document_.links.end(), [&](const Link& link) {
+    return contains(link.targets, mention) && link.references.size() == 1 && is_thing(link.references.front()) &&
+           mention_at(link.references.front()).distributes;
+  });
+}
+
 // What is put by several things is as many: one at each of them, at each of their sides, in every corner. `both`: "on both nightstands".
 void Scribe::grow_for_reference(int index, int mention, bool both) {
   Link& link = link_at(index);
@@ -32,6 +41,10 @@ void Scribe::grow_for_reference(int index, int mention, bool both) {
   // "three chairs, each facing a mirror": a mirror for each.
   if (mention_at(mention).introduces && mention_at(mention).items.size() == 1 && noun.determiner == Determiner::kIndefinite &&
       targets.size() == 1 && mention_at(targets.front()).distributes && !mention_at(targets.front()).introduces)
+    references_.grow(mention, mention_at(targets.front()).items.size());
+  // "every table has a candle in a bottle": a bottle for each.
+  if (mention_at(mention).introduces && mention_at(mention).items.size() == 1 && noun.determiner == Determiner::kIndefinite &&
+      targets.size() == 1 && is_one_of_each(targets.front()))
     references_.grow(mention, mention_at(targets.front()).items.size());
   // "three chairs facing mirrors": as many.
   if (mention_at(mention).introduces && noun.plural && noun.count == 0 && noun.determiner == Determiner::kNone && targets.size() == 1 &&

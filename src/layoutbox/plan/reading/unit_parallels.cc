@@ -15,6 +15,17 @@ bool is_other_one(const NounPhrase& noun) {
          (noun.determiner == Determiner::kOther || noun.determiner == Determiner::kAnother || noun.ordinal > 1);
 }
 
+// Of the room's ends and sides.
+RoomRegion across_from(RoomRegion region) {
+  switch (region) {
+    case RoomRegion::kLeft: return RoomRegion::kRight;
+    case RoomRegion::kRight: return RoomRegion::kLeft;
+    case RoomRegion::kFront: return RoomRegion::kBack;
+    case RoomRegion::kBack: return RoomRegion::kFront;
+    default: return region;
+  }
+}
+
 bool is_one_of_its_kind(const NounPhrase& noun) {
   const bool place = noun.kind == NounKind::kWall || noun.kind == NounKind::kCorner || noun.kind == NounKind::kPart;
   return place && (noun.count == 1 || noun.ordinal == 1) && noun.wall_word.empty();
@@ -68,6 +79,9 @@ bool UnitReader::repeats_place(std::size_t k) {
     }
     noun.determiner = noun.kind == NounKind::kObject ? Determiner::kDefinite : noun.determiner;
     units_.back().direct = before.direct;
+    for (PhraseSense& sense : units_.back().direct) {
+      if (sense.type == RelationType::kInRegion && sense.region) sense.region = across_from(*sense.region);
+    }
     units_.back().senses = before.senses;
     units_.back().other = true;
     return false;

@@ -124,6 +124,7 @@ class UnitReader {
   bool takes_new_share(std::size_t k) const;
   bool speaks_again(std::size_t k) const;
   bool is_topic_before_colon(std::size_t k) const;
+  bool is_placed_topic(std::size_t k) const;
   bool goes_on_to_or(std::size_t k) const;
   void settle_noun(std::size_t k);
   void settle_place_words(std::size_t k);
@@ -138,6 +139,7 @@ class UnitReader {
   const PhraseSenses* end_of_room(std::size_t k) const;
   bool is_side_of_room(std::size_t k) const;
   std::string run_side_of_room(std::size_t k) const;
+  bool tells_of_end_of_room(std::size_t k) const;
   bool tells_of_room_end(std::size_t k) const;
   bool is_great_table(std::size_t thing) const;
   bool is_large_by_itself(std::size_t thing) const;

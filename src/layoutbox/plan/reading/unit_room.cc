@@ -101,7 +101,8 @@ void UnitReader::mean_end_of_room(std::size_t k) {
 const PhraseSenses* UnitReader::end_of_room(std::size_t k) const {
   static const PhraseSenses kOne = {{RelationType::kInRegion, PhraseSense::Direction::kAlone, {}, RoomRegion::kLeft, {}}},
                             kOther = {{RelationType::kInRegion, PhraseSense::Direction::kAlone, {}, RoomRegion::kRight, {}}},
-                            kFar = {{RelationType::kInRegion, PhraseSense::Direction::kAlone, {}, RoomRegion::kBack, {}}};
+                            kFar = {{RelationType::kInRegion, PhraseSense::Direction::kAlone, {}, RoomRegion::kBack, {}}},
+                            kNear = {{RelationType::kInRegion, PhraseSense::Direction::kAlone, {}, RoomRegion::kFront, {}}};
   const Chunk& place = chunk(k);
   const auto& tokens = document_.tokens;
   if (is_side_of_room(k)) return &kOne;
@@ -110,6 +111,7 @@ const PhraseSenses* UnitReader::end_of_room(std::size_t k) const {
   const bool other = place.last >= 2 && tokens[place.last - 2].text == "other";
   const bool end = place.last == place.first + 3 && tokens[place.first].text == "at" && tokens[place.first + 1].text == "the";
   if (!other && !end && !place.phrase.one) return nullptr;
+  if (other && tells_of_end_of_room(k)) return &kNear;
   std::size_t thing = previous(k);
   // "the kitchen is at one end …, and at the other end a sofa"
   const bool fronted = is(thing, ChunkKind::kComma) || is(thing, ChunkKind::kAnd) || is(thing, ChunkKind::kStop);
@@ -131,6 +133,16 @@ bool UnitReader::tells_of_room_end(std::size_t k) const {
     std::size_t part = previous(c);
     if (is(part, ChunkKind::kVerb)) part = previous(part);
     if (is(part, ChunkKind::kNoun) && chunk(part).noun.kind == NounKind::kRoom) return true;
+  }
+  return false;
+}
+
+// "At one end of the room is a stage, at the other end a bar": the far end, and so the near one.
+bool UnitReader::tells_of_end_of_room(std::size_t k) const {
+  for (std::size_t c = k > kFarthestBack ? k - kFarthestBack : 0; c < k; ++c) {
+    const bool of_end = is(c, ChunkKind::kRelation) && chunk(c).phrase.one && chunk(c).last - chunk(c).first >= 2 &&
+                        document_.tokens[chunk(c).last - 2].text == "end" && document_.tokens[chunk(c).last - 1].text == "of";
+    if (of_end && is(next(c), ChunkKind::kNoun) && chunk(next(c)).noun.kind == NounKind::kRoom) return true;
   }
   return false;
 }

@@ -170,9 +170,22 @@ bool UnitReader::is_one_not_wanted(std::size_t k) const {
 
 // "The bar counter: five stools lined up in front of it": what is said next is told of it, and is no more of one list.
 bool UnitReader::is_topic_before_colon(std::size_t k) const {
-  if (document_.tokens[chunk(k).first].text != ":" || units_.size() != 1 || units_.front().kind != UnitKind::kNoun) return false;
+  if (document_.tokens[chunk(k).first].text != ":" || units_.empty() || units_.back().kind != UnitKind::kNoun) return false;
+  if (units_.size() > 1) return is_placed_topic(k);
   const NounPhrase& topic = chunk(units_.front().chunk).noun;
   return topic.kind == NounKind::kObject && topic.determiner == Determiner::kDefinite && !topic.is_plural();
+}
+
+// "By the door a rack: three hats on it, a pair of boots beneath": what has a place of its own is not by the door.
+bool UnitReader::is_placed_topic(std::size_t k) const {
+  const NounPhrase& topic = chunk(units_.back().chunk).noun;
+  if (topic.kind != NounKind::kObject || topic.is_plural() || units_.back().joiner != Joiner::kNone) return false;
+  if (units_.front().kind != UnitKind::kPlace || units_[units_.size() - 2].kind == UnitKind::kPlace) return false;
+  for (const Unit& unit : units_) {
+    if (unit.kind != UnitKind::kPlace && unit.kind != UnitKind::kNoun) return false;
+  }
+  const std::size_t n = next(k);
+  return is(n, ChunkKind::kRelation) || (is(n, ChunkKind::kNoun) && is(next(n), ChunkKind::kRelation));
 }
 
 // "…, and mounted on the wall over it is a row of monitors": a clause whose subject comes last.

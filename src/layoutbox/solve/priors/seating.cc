@@ -13,6 +13,7 @@ namespace {
 
 constexpr Mm kSquare = 150;  // sides that differ by less are alike
 constexpr int kSqueezed = 60;
+constexpr std::size_t kOfSides = 10, kOfCircle = 40;  // ways to share seats out over the sides; few of them are a circle
 
 constexpr std::array kSides{Side::kFront, Side::kBack, Side::kLeft, Side::kRight};
 
@@ -210,6 +211,19 @@ void add_circle(Formula& f, Compilation& c, int r, Mm most) {
   if (f.cases.size() == before) std::ranges::move(narrow, std::back_inserter(f.cases));
 }
 
+// What has no front has its sides by the room (`side_direction`): turned by a quarter, its width is along the other two.
+Size size_by_sides(const Item& table, int turn) {
+  Size size = table.states[0].size;
+  if (!table.has_front && turn % 180 == 90) std::swap(size.width, size.depth);
+  return size;
+}
+
+// Seen from its middle much the same all round: what stands in a circle around it need not stand at its sides.
+bool is_compact(const Item& table) {
+  const Size& size = table.states[0].size;
+  return 2 * std::max(size.width, size.depth) <= 3 * std::min(size.width, size.depth);
+}
+
 bool is_circle(const Item& table) {
   const Size& size = table.states[0].size;
   return table.entry != nullptr && is_round(*table.object, *table.entry) && std::abs(size.width - size.depth) <= 100;
@@ -259,7 +273,8 @@ void add_even_seats(Formula& f, Compilation& c, int r, std::size_t state, const 
   const auto n = static_cast<int>(c.targets.size());
   std::vector<Size> sizes;
   for (const int t : c.targets) sizes.push_back(c.item(t).states[0].size);
-  const Size& size = s.size;
+  Size size = s.size;
+  if (!table.has_front && s.turn % 180 == 90) std::swap(size.width, size.depth);
   const double limit = 1.5 * 360 / n;
   const Mm under = -wished_reach_under(c.item(c.targets[0]), table);
   for (const Mm reach : {most, 300, 150, 50}) {
@@ -303,19 +318,19 @@ void add_seating(Compilation& c, int r, Mm most, bool circle) {
   f.exact = false;
   Mm seat_width = 0;
   for (const int t : c.targets) seat_width = std::max(seat_width, c.item(t).states[0].size.width);
-  const bool round = (n >= 5 || n == 3) && is_circle(table);
+  const bool round = (n >= 5 || n == 3) && (is_circle(table) || (circle && is_compact(table)));
   if (round) add_circle(f, c, r, most);
-  const Size& size = table.states[0].size;
   const int base = round && !f.cases.empty() ? 200 : 0;
-  for (const auto& [seats, price] : seatings(n, size.width, size.depth, seat_width, circle)) {
-    if (circle) {
-      for (std::size_t s = 0; s < table.states.size(); ++s) add_even_seats(f, c, r, s, seats, price + base, most);
-      continue;
+  for_each_turn(table, [&](int turn, std::uint64_t states) {
+    if (turn % 90 != 0) return;
+    const Size size = size_by_sides(table, turn);
+    for (const auto& [seats, price] : seatings(n, size.width, size.depth, seat_width, circle, circle ? kOfCircle : kOfSides)) {
+      if (!circle) add_case(f, c, r, turn, states, seats, price + base, most);
+      for (std::size_t s = 0; circle && s < table.states.size(); ++s) {
+        if ((states >> s & 1) != 0) add_even_seats(f, c, r, s, seats, price + base, most);
+      }
     }
-    for_each_turn(table, [&](int turn, std::uint64_t states) {
-      if (turn % 90 == 0) add_case(f, c, r, turn, states, seats, price + base, most);
-    });
-  }
+  });
   if (!f.cases.empty() || circle) return;
   // More than the sides hold: one side after the other, as near as it gets, looking at it.
   c.out.formulas.pop_back();
