@@ -65,9 +65,9 @@ TEST(BestCorner, ShowsWhatHangsOnWalls) {
   PlacedObject poster = thing({500, 20, 700}, 2000, 30, 180, {});
   poster.mount = Mount::kWall;
   PlacedObject bed = thing({900, 2000, 500}, 600, 1900, 0, kAllSides);
-  EXPECT_EQ(best_corner(room_with({bed, poster})), Corner::kNorthEast);
+  EXPECT_EQ(best_corner(room_with({bed, poster}), Catalog::builtin()), Corner::kNorthEast);
   poster.origin = Origin::kAdded;
-  EXPECT_EQ(best_corner(room_with({bed, poster})), Corner::kSouthEast);
+  EXPECT_EQ(best_corner(room_with({bed, poster}), Catalog::builtin()), Corner::kSouthEast);
 }
 
 TEST(BestCorner, OneThatIsNamedHolds) {
