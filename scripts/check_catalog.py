@@ -8,12 +8,13 @@ Prints one line for each fault and ends with status 1 if there is any. docs/cata
 
 from __future__ import annotations
 
-import ast
 import json
-import operator
 import sys
 from collections.abc import Iterator
 from pathlib import Path
+
+from catalog_formulas import Size, evaluate, is_linear
+from catalog_words import check_like, check_uses, check_words
 
 MOUNTS = {"floor", "wall", "ceiling", "surface", "hung"}
 SIDES = {"front", "back", "left", "right"}
@@ -25,36 +26,6 @@ THIN = 0.03  # m, rugs and mats up to this height collide with nothing
 ROOM_SHARE = 0.6  # of a room's floor that its usual furniture may cover
 NEIGHBOUR = 5  # how many times larger or smaller a kind may be than the range of what it is a kind of
 SLACK = 1e-9  # m
-
-Size = dict[str, float]
-OPERATORS = {ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Div: operator.truediv}
-
-
-def evaluate(formula: str, values: Size) -> float:
-    """The value in metres of a formula of w, d, h and i; ValueError for anything else."""
-
-    def walk(node: ast.AST) -> float:
-        if isinstance(node, ast.Constant) and isinstance(node.value, (int, float)):
-            return node.value
-        if isinstance(node, ast.Name) and node.id in values:
-            return values[node.id]
-        if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
-            return -walk(node.operand)
-        if isinstance(node, ast.BinOp) and type(node.op) in OPERATORS:
-            return OPERATORS[type(node.op)](walk(node.left), walk(node.right))
-        raise ValueError(f"'{formula}' is not a formula of w, d, h and i")
-
-    try:
-        return walk(ast.parse(formula, mode="eval").body)
-    except SyntaxError as error:
-        raise ValueError(f"'{formula}' is not a formula: {error.msg}") from error
-
-
-def is_linear(formula: str) -> bool:
-    """True when doubling a difference in w, d or h doubles the difference in value."""
-    base, point, twice = ({"w": a, "d": b, "h": c, "i": 1} for a, b, c in ((1, 1, 1), (2, 3, 4), (3, 5, 7)))
-    low, middle, high = (evaluate(formula, values) for values in (base, point, twice))
-    return abs((high - middle) - (middle - low)) < 1e-9
 
 
 def three(length: float | list[float]) -> list[float]:
@@ -188,60 +159,6 @@ def check_ancestors(entry: dict, ids: dict[str, dict]) -> Iterator[str]:
             return
         seen.add(at)
         at = ids[at].get("kindOf")
-
-
-def key_of(word: str) -> str:
-    """The program reads words without regard to what separates them."""
-    return "".join(c for c in word.lower() if c.isalnum())
-
-
-def check_words(things: list[dict]) -> Iterator[str]:
-    """Every id, name and synonym names one thing only."""
-    owner: dict[str, str] = {}
-    for thing in things:
-        own = {key_of(word): word for word in (thing["id"].replace("_", " "), thing["name"].lower())}
-        for word in [*sorted(own.values()), *thing.get("synonyms", [])]:
-            key = key_of(word)
-            if word in thing.get("synonyms", []) and word != word.lower():
-                yield f"{thing['id']}: synonym '{word}' is not in lower case"
-            if owner.get(key) == thing["id"]:
-                yield f"{thing['id']}: '{word}' is there twice (the id and the name are words too)"
-            elif key in owner:
-                yield f"{thing['id']}: '{word}' already names {owner[key]}"
-            owner.setdefault(key, thing["id"])
-
-
-def check_like(folder: Path, ids: dict[str, dict]) -> Iterator[str]:
-    """What words_kinds.json names is there, and no word of its list has an entry of its own."""
-    path = folder / "words_kinds.json"
-    if not path.exists():
-        return
-    data = json.loads(path.read_text(encoding="utf-8"))
-    words = {word for entry in ids.values() for word in [entry["id"].replace("_", " "), entry["name"], *entry.get("synonyms", [])]}
-    for entry, like in data["like"].items():
-        if entry not in ids:
-            yield f"words_kinds like: there is no entry '{entry}'"
-        yield from (f"words_kinds like: '{word}' has an entry" for word in like if word in words)
-    for named in [*data["kinds"].values(), *data["modifiers"].values(), *data["heads"].values()]:
-        if named and named not in ids:
-            yield f"words_kinds: there is no entry '{named}'"
-
-
-def check_uses(folder: Path, ids: dict[str, dict], rooms: set[str]) -> Iterator[str]:
-    """What words_uses.json brings in are things, in rooms that there are; words_kinds.json's `kept_in` and `general` likewise."""
-    if not (folder / "words_uses.json").exists():
-        return
-    words = {key_of(word) for entry in ids.values() for word in [entry["id"], entry["name"], *entry.get("synonyms", [])]}
-    for use in json.loads((folder / "words_uses.json").read_text(encoding="utf-8"))["uses"]:
-        for thing in [use["is"], *use.get("rooms", {}).values()]:
-            if key_of(thing) not in words:
-                yield f"words_uses: '{thing}' is no thing"
-        yield from (f"words_uses: there is no room '{room}'" for room in use.get("rooms", {}) if room not in rooms)
-    kinds = json.loads((folder / "words_kinds.json").read_text(encoding="utf-8"))
-    kept = [row.split(">")[-1] for rows in kinds["kept_in"].values() for row in rows.split()]
-    for named in [*kept, *kinds["on_wall"], *kinds["on_wall"].values(), *(kind for some in kinds["general"].values() for kind in some)]:
-        if named not in ids:
-            yield f"words_kinds: there is no entry '{named}'"
 
 
 def check_rooms(rooms: list[dict], ids: dict[str, dict]) -> Iterator[str]:

@@ -56,7 +56,7 @@ FACES = {
     "swing": "hanging_chair",
     "table": "dining_table",
     "teddy": "teddy_bear",
-        "toy_blocks": "building_block",
+    "toy_blocks": "building_block",
     "tree": "fiddle_leaf_fig",
 }
 
@@ -219,12 +219,13 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("what", nargs="*", default=["families", "rooms"])
     parser.add_argument("--work", type=Path, default=Path("build/gallery"))
-    parser.add_argument("--output", type=Path, default=ROOT / "docs/gallery")
+    parser.add_argument("--output", type=Path, help="of the sheets: docs/gallery, where all is drawn; the work folder with --only")
     parser.add_argument("--only", default="")
     parser.add_argument("--quality", default="")
     parser.add_argument("--size", default="840x630")
     arguments = parser.parse_args()
     arguments.work = arguments.work.resolve()
+    arguments.output = arguments.output or (arguments.work if arguments.only else ROOT / "docs/gallery")
     blender = Blender(arguments.work)
     for what in arguments.what:
         {"families": families, "kinds": kinds, "rooms": rooms}[what](blender, arguments)

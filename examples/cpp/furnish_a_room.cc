@@ -23,7 +23,7 @@ lb::Status write_room(const lb::Layout& layout, const lb::Catalog& catalog) {
   LAYOUTBOX_ASSIGN(const lb::Model model, lb::furnish(layout, catalog));
   LAYOUTBOX_ASSIGN(const std::string glb, lb::write_glb(model, layout));
   std::ofstream("room.glb", std::ios::binary) << glb;
-  std::ofstream("plan.svg") << lb::write_floor_plan_svg(layout);
+  std::ofstream("plan.svg") << lb::write_floor_plan_svg(layout, catalog);
   return {};
 }
 

@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <map>
 
+#include "environment.h"
 #include "layoutbox/scene/test_turned.h"
 #include "layoutbox/solve/solver.h"
 #include "layoutbox/verify/verify.h"
@@ -16,11 +16,6 @@
 
 namespace layoutbox::synthetic {
 namespace {
-
-std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
-  const char* value = std::getenv(name);
-  return value != nullptr ? std::strtoull(value, nullptr, 10) : otherwise;
-}
 
 // In a shifted room a millimetre is a millimetre; relations that speak of the middle of odd lengths stay as they are.
 constexpr Mm kShiftX = 1230, kShiftY = 2340;

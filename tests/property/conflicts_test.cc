@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <set>
 
+#include "environment.h"
 #include "layoutbox/catalog/normalize.h"
 #include "layoutbox/solve/solver.h"
 #include "layoutbox/solve/test_scene.h"
@@ -16,11 +17,6 @@
 
 namespace layoutbox::synthetic {
 namespace {
-
-std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
-  const char* value = std::getenv(name);
-  return value != nullptr ? std::strtoull(value, nullptr, 10) : otherwise;
-}
 
 bool has(const std::vector<std::string>& ids, const std::string& id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); }
 

@@ -7,8 +7,8 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 
+#include "environment.h"
 #include "layoutbox/judge/judge.h"
 #include "synthetic.h"
 
@@ -20,15 +20,9 @@ constexpr double kBeyondTurn = 10;             // degrees
 constexpr double kTouch = 5, kWallTouch = 10;  // mm: the tolerances
 constexpr int kBeyondSlack = 5 + 20;           // mm: the slack of relations, and beyond
 
-std::uint64_t rounds_of_faults() {
-  const char* value = std::getenv("LAYOUTBOX_RANDOM_ROUNDS");
-  return std::min<std::uint64_t>(value != nullptr ? std::strtoull(value, nullptr, 10) : 30, 1000);
-}
+std::uint64_t rounds_of_faults() { return std::min<std::uint64_t>(from_environment("LAYOUTBOX_RANDOM_ROUNDS", 30), 1000); }
 
-std::uint64_t first_seed() {
-  const char* value = std::getenv("LAYOUTBOX_RANDOM_SEED");
-  return value != nullptr ? std::strtoull(value, nullptr, 10) : 1;
-}
+std::uint64_t first_seed() { return from_environment("LAYOUTBOX_RANDOM_SEED", 1); }
 
 Judgement judged(const Layout& layout) { return judge_room(RoomFile{"room", "layout", layout, {}}, {}, Catalog::builtin()); }
 

@@ -12,6 +12,7 @@
 #include <map>
 #include <set>
 
+#include "environment.h"
 #include "layoutbox/base/files.h"
 #include "layoutbox/catalog/normalize.h"
 #include "layoutbox/scene/scene_json.h"
@@ -21,11 +22,6 @@
 
 namespace layoutbox::synthetic {
 namespace {
-
-std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
-  const char* value = std::getenv(name);
-  return value != nullptr ? std::strtoull(value, nullptr, 10) : otherwise;
-}
 
 SolveOptions options_for(std::uint64_t seed) {
   SolveOptions options;

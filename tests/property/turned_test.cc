@@ -6,10 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <map>
 #include <random>
 
+#include "environment.h"
 #include "layoutbox/catalog/normalize.h"
 #include "layoutbox/solve/solver.h"
 #include "layoutbox/verify/verify.h"
@@ -17,11 +17,6 @@
 
 namespace layoutbox::synthetic {
 namespace {
-
-std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
-  const char* value = std::getenv(name);
-  return value != nullptr ? std::strtoull(value, nullptr, 10) : otherwise;
-}
 
 // Relations that are said to hold and do not.
 std::vector<std::string> false_claims(const Layout& layout) {

@@ -1,4 +1,9 @@
 // Every text of the page. To translate the page, translate this file.
+import type {Change, ExportRequest, SceneSwing, StartJobRequest} from "./gen/types";
+
+/** A name for each word that the service has: where one is missing the types do not hold. */
+type NameOfEach<Word extends string> = Readonly<Record<Word, string>>;
+
 const plural = (count: number, one: string, many: string): string => `${count} ${count === 1 ? one : many}`;
 
 export const texts = {
@@ -90,7 +95,10 @@ export const texts = {
     label: "Change it in words", placeholder: "Move the desk under the window", go: "Try",
     proposal: "Proposed change", take: "Take it", drop: "Leave it", close: "Close", nothing: "Nothing would change.",
     moved: (length: string) => `moves ${length}`, turned: (degrees: string) => `turns ${degrees}`,
-    what: {added: "is added", removed: "is removed", resized: "changes its size", moved: "moves", turned: "turns"} as Record<string, string>,
+    what: {
+      added: "is added", removed: "is removed", resized: "changes its size", moved: "moves", turned: "turns", reshaped: "changes its form",
+      recolored: "changes its colour", renamed: "changes its name",
+    } satisfies NameOfEach<Change["what"][number]>,
     gives_way: "gives way", dropped: "No longer asked for",
   },
   thing: {
@@ -100,7 +108,7 @@ export const texts = {
   },
   openings: {
     heading: "Doors and windows", sill: "Sill", swing: "Opens",
-    swings: {"in-left": "inwards, left", "in-right": "inwards, right", "out-left": "outwards, left", "out-right": "outwards, right", sliding: "slides", none: "no leaf"} as Record<string, string>,
+    swings: {"in-left": "inwards, left", "in-right": "inwards, right", "out-left": "outwards, left", "out-right": "outwards, right", sliding: "slides", none: "no leaf"} satisfies NameOfEach<SceneSwing>,
     add: {door: "Door", window: "Window", open: "Opening"}, adds: (name: string) => `Add: ${name}`,
   },
   hand: {refused: "It cannot stand there.", gives_way: (names: string) => `${names} ${names.includes(",") ? "give" : "gives"} way`},
@@ -114,10 +122,10 @@ export const texts = {
     heading: "Downloads", import: "Open a file", import_hint: "A layout.json or scene.json of before",
     kinds: {
       json: "Layout (JSON)", glb: "3D model (GLB)", svg: "Floor plan (SVG)", pdf: "Floor plan (PDF)", png: "Floor plan (PNG)", "blender.py": "Blender script",
-    } as Record<string, string>,
+    } satisfies NameOfEach<ExportRequest["format"]>,
     script: "Read the Blender script", script_hide: "Hide the script",
-    picture: "Picture", quality: "Quality", qualities: {draft: "Draft", preview: "Preview", final: "Final"} as Record<string, string>,
-    view: "View", views: {iso: "From a corner", top: "From above", front: "From the front", eye: "At eye level", door: "From the door"} as Record<string, string>,
+    picture: "Picture", quality: "Quality", qualities: {draft: "Draft", preview: "Preview", final: "Final"} satisfies NameOfEach<NonNullable<StartJobRequest["quality"]>>,
+    view: "View", views: {iso: "From a corner", top: "From above", front: "From the front", eye: "At eye level", door: "From the door"} satisfies NameOfEach<NonNullable<StartJobRequest["views"]>[number]>,
     draw: "Draw with Blender", cancel: "Cancel", waiting: "Waits", cancelled: "Cancelled.", failed: "It could not be drawn.",
     progress: (percent: number, stage: string) => `${percent} % ${stage}`, save_picture: "Save the picture", picture_alt: "The room, drawn by Blender",
     no_blender: "Blender is not installed where the service runs.",

@@ -1,6 +1,7 @@
 #include "layoutbox/catalog/kin.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 
@@ -30,8 +31,13 @@ std::vector<std::string_view> split_words(std::string_view text) {
   return words;
 }
 
+// The lists of words_kinds.json, in the order of Place.
+constexpr std::array<std::string_view, 7> kPlaceLists = {"on_wall",       "on_floor",   "on_ceiling", "on_thing",
+                                                         "between_seats", "around_bed", "set_in"};
+
 struct Kinds {
-  Words kinds, modifiers, heads, portions, on_wall, set_in, kept_in, own_parts, company, users;
+  Words kinds, modifiers, heads, portions, kept_in, own_parts, company, users;
+  std::array<Words, kPlaceLists.size()> at_places;  // by Place
   std::set<std::string_view> no_things, body_parts;
   std::map<std::string, std::string_view, std::less<>> like_keys;  // by the key (words.h)
 };
@@ -42,15 +48,15 @@ const Kinds& known_kinds() {
                words_of_list("modifiers"),
                words_of_list("heads"),
                words_of_list("portions"),
-               words_of_list("on_wall"),
-               words_of_list("set_in"),
                words_of_list("kept_in"),
                words_of_list("own_parts"),
                words_of_list("company"),
                words_of_list("users"),
                {},
                {},
+               {},
                {}};
+    std::ranges::transform(kPlaceLists, read.at_places.begin(), words_of_list);
     for (const WordList::Member kind : word_list("words_kinds").at("no_things")) read.no_things.insert(kind.value.text());
     for (const WordList::Member kind : word_list("words_kinds").at("body_parts")) read.body_parts.insert(kind.value.text());
     for (const auto& [word, id] : like_words()) read.like_keys.emplace(key_of(word), id);
@@ -141,14 +147,10 @@ bool is_no_thing(const Catalog& catalog, std::string_view word) {
   return false;
 }
 
-std::string_view on_wall_entry(std::string_view id) {
-  const auto found = known_kinds().on_wall.find(id);
-  return found == known_kinds().on_wall.end() ? std::string_view{} : std::string_view(found->second);
-}
-
-std::string_view set_in_entry(std::string_view id) {
-  const auto found = known_kinds().set_in.find(id);
-  return found == known_kinds().set_in.end() ? std::string_view{} : std::string_view(found->second);
+const CatalogEntry* kind_at(const Catalog& catalog, std::string_view id, Place place) {
+  const Words& kinds = known_kinds().at_places[static_cast<std::size_t>(place)];
+  const auto found = kinds.find(id);
+  return found == kinds.end() ? nullptr : catalog.find(found->second);
 }
 
 std::string_view kept_in_entry(std::string_view head, const CatalogEntry& host) {

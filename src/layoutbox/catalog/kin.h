@@ -2,6 +2,7 @@
 // catalog/words_english.txt (from WordNet); what the kinds mean here stands in catalog/words_kinds.json.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -31,11 +32,19 @@ std::vector<std::pair<std::string_view, std::string_view>> like_words();
 // The id of the entry that so much of something in it or of it is like ("tub" of clay → jar), or empty.
 std::string_view portion_entry(std::string_view container);
 
-// The id of the entry that one is where it hangs on a wall and that is not called wall_ and its own (coat_rack → hook_rail), or empty.
-std::string_view on_wall_entry(std::string_view id);
+// Where a thing is of another kind than where it mostly is.
+enum class Place : std::uint8_t {
+  kOnWall,        // bookshelf → wall_bookshelf
+  kOnFloor,       // of what mostly stands on something: lamp → floor_lamp
+  kOnCeiling,     // lamp → ceiling_lamp
+  kOnThing,       // of what mostly stands on the floor: plant → small_plant
+  kBetweenSeats,  // table → side_table
+  kAroundBed,     // curtain_rod → privacy_curtain
+  kSetIn,         // let into the top of something: sink → inset_sink
+};
 
-// The id of the entry that one stands for where it is let into the top of something (a sink of a counter → inset_sink), or empty.
-std::string_view set_in_entry(std::string_view id);
+// The entry that one of that id is there; null where it stays what it is, or where the catalogue has no such entry.
+const CatalogEntry* kind_at(const Catalog& catalog, std::string_view id, Place place);
 
 // The id of the entry that a plain word means of what stands on or in such a thing ("bin" on shelves → storage_bin), or empty.
 std::string_view kept_in_entry(std::string_view head, const CatalogEntry& host);

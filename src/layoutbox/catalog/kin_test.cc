@@ -64,5 +64,22 @@ TEST(Kin, LikeWordsLeadToTheirEntry) {
   EXPECT_FALSE(catalog.is_a("wok", "pot"));
 }
 
+TEST(Kin, WhatIsElsewhereThanMostlyIsOfAnotherKind) {
+  const auto at = [](std::string_view id, Place place) {
+    const CatalogEntry* kind = kind_at(Catalog::builtin(), id, place);
+    return kind == nullptr ? std::string("as it is") : kind->id;
+  };
+  EXPECT_EQ(at("bookshelf", Place::kOnWall), "wall_bookshelf");
+  EXPECT_EQ(at("coat_rack", Place::kOnWall), "hook_rail");
+  EXPECT_EQ(at("pillow", Place::kOnFloor), "floor_cushion");
+  EXPECT_EQ(at("lamp", Place::kOnCeiling), "ceiling_lamp");
+  EXPECT_EQ(at("plant", Place::kOnThing), "small_plant");
+  EXPECT_EQ(at("table", Place::kBetweenSeats), "side_table");
+  EXPECT_EQ(at("curtain_rod", Place::kAroundBed), "privacy_curtain");
+  EXPECT_EQ(at("sink", Place::kSetIn), "inset_sink");
+  EXPECT_EQ(at("sofa", Place::kOnWall), "as it is");
+  EXPECT_EQ(kind_at(Catalog({}, {}), "sink", Place::kSetIn), nullptr);
+}
+
 }  // namespace
 }  // namespace layoutbox

@@ -5,6 +5,7 @@
 #include <unordered_set>
 
 #include "layoutbox/base/words.h"
+#include "layoutbox/catalog/kin.h"
 #include "layoutbox/catalog/normalize_steps.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/scene/relation_traits.h"
@@ -184,18 +185,9 @@ class SupportChooser {
   std::unordered_map<std::string, int> alike_;  // by category: how many there are
 };
 
-// The kind for the floor of what mostly stands on something: the floor lamp, the floor cushion that a pillow is.
-const CatalogEntry* floor_kind_of(const Catalog& catalog, const std::string& category) {
-  if (const CatalogEntry* kind = catalog.find("floor_" + category)) return kind;
-  for (const CatalogEntry& entry : catalog.entries()) {
-    if (entry.kind_of == category && entry.mount == Mount::kFloor && entry.id.starts_with("floor_")) return &entry;
-  }
-  return nullptr;
-}
-
 // A lamp that must stand on the floor is a floor lamp, where the catalogue has one and nobody said how large it is.
 void become_floor_kind(NormalizeContext& context, SceneObject& object, const std::string& pointer) {
-  const CatalogEntry* kind = floor_kind_of(context.catalog, object.category);
+  const CatalogEntry* kind = kind_at(context.catalog, object.category, Place::kOnFloor);
   if (kind == nullptr || kind->mount != Mount::kFloor || object.size_source != SizeSource::kCatalog) return;
   context.note("guessed", fmt::format("\"{}\" stands on the floor: it is taken as a {}", object.id, kind->name), pointer + "/category");
   object.category = kind->id;

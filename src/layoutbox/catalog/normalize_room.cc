@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <string_view>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 
 #include "layoutbox/base/words.h"
@@ -182,13 +185,15 @@ class RoomNormalizer {
   // where little stands there and nobody spoke of the room's size.
   double growth(double area, double longest_side) const {
     double covered = 0, used = 0, longest = 0;
+    const std::set<std::string_view> in_grids = ids_in_grids(), in_classes = kinds_in_classes();
     for (const SceneObject& object : context_.scene.objects) {
       const CatalogEntry& entry = context_.catalog.entry_or_nearest(object.category);
       if (object.mount != Mount::kFloor || !object.size || (entry.thin && !entry.lain_on)) continue;
       const Size& size = object.size->usual;
       covered += double(size.width) * size.depth;
-      used += stands_in_grid(object.id) || stands_in_class(object) ? double(size.width + kGridWay.x) * (size.depth + kGridWay.y)
-                                                                   : double(size.width) * size.depth + wanted_floor(entry, size);
+      const bool in_rows = in_grids.contains(object.id) || in_classes.contains(object.category);
+      used += in_rows ? double(size.width + kGridWay.x) * (size.depth + kGridWay.y)
+                      : double(size.width) * size.depth + wanted_floor(entry, size);
       longest = std::max({longest, double(size.width), double(size.depth)});
     }
     const double factor = room_size_factor(room_.size_word);
@@ -212,20 +217,26 @@ class RoomNormalizer {
     });
   }
 
-  bool stands_in_grid(const std::string& id) const {
-    return std::ranges::any_of(context_.scene.relations, [&](const Relation& r) {
-      return r.type == RelationType::kGrid && std::ranges::find(r.targets, id) != r.targets.end();
-    });
+  std::set<std::string_view> ids_in_grids() const {
+    std::set<std::string_view> ids;
+    for (const Relation& r : context_.scene.relations) {
+      if (r.type == RelationType::kGrid) ids.insert(r.targets.begin(), r.targets.end());
+    }
+    return ids;
   }
 
-  // One of many of a kind that are all turned alike, as the desks of a class are; seats have their clearances.
-  bool stands_in_class(const SceneObject& object) const {
-    constexpr std::ptrdiff_t kClass = 8;
-    const auto of_kind = [&](const Relation& r) {
-      const SceneObject* other = r.targets.size() == 1 ? context_.scene.find_object(r.targets[0]) : nullptr;
-      return r.type == RelationType::kSameOrientation && other != nullptr && other->category == object.category;
-    };
-    return std::ranges::count_if(context_.scene.relations, of_kind) + 1 >= kClass;
+  // Of which many are turned alike, as the desks of a class are; seats have their clearances.
+  std::set<std::string_view> kinds_in_classes() const {
+    constexpr int kClass = 8;
+    std::unordered_map<std::string_view, std::string_view> kinds;  // by id
+    for (const SceneObject& object : context_.scene.objects) kinds.emplace(object.id, object.category);
+    std::unordered_map<std::string_view, int> turned_alike;
+    std::set<std::string_view> in_classes;
+    for (const Relation& r : context_.scene.relations) {
+      const auto kind = r.type == RelationType::kSameOrientation && r.targets.size() == 1 ? kinds.find(r.targets[0]) : kinds.end();
+      if (kind != kinds.end() && ++turned_alike[kind->second] + 1 >= kClass) in_classes.insert(kind->second);
+    }
+    return in_classes;
   }
 
   void settle_height() {

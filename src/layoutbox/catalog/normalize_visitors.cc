@@ -2,6 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "layoutbox/catalog/normalize_steps.h"
 #include "layoutbox/catalog/trait_table.h"
@@ -21,25 +25,60 @@ class Visitors {
       const bool used_in_front = object.used_sides.value_or(entry.used_sides) == std::vector<Side>{Side::kFront};
       if (entry.is(Trait::kDesk) && entry.has_front && used_in_front && object.mount == Mount::kFloor) desks.push_back(object.id);
     }
-    for (const std::string& desk : desks) settle(desk, desks.size() == 1);
+    if (desks.empty()) return;
+    const std::map<std::string, Sitters> told = told_sitters();
+    for (const std::string& desk : desks) {
+      const auto sitters = told.find(desk);
+      settle(desk, sitters == told.end() ? Sitters{} : sitters->second, desks.size() == 1);
+    }
   }
 
  private:
   const CatalogEntry& entry_of(const SceneObject& object) const { return context_.catalog.entry_or_nearest(object.category); }
   bool is_visitors(const SceneObject& seat) const { return entry_of(seat).is(Trait::kVisitorSeat); }
 
-  // Said to be there, and at most to look at something or to be at the desk: on one side of it.
-  bool is_loose(const SceneObject& seat, const std::string& desk) const {
-    return entry_of(seat).is(Trait::kTableSeat) && std::ranges::none_of(scene_.relations, [&](const Relation& r) {
-             const bool at_it = r.type == RelationType::kNextTo && names(r.references, desk);
-             return r.type != RelationType::kFacing && !at_it && names(r.targets, seat.id);
-           });
+  // The seats that are said to be there, and at most to look at something or to be at the desk: on one side of it.
+  std::vector<std::string> loose_seats(const std::string& desk) const {
+    std::unordered_set<std::string_view> placed;
+    for (const Relation& r : scene_.relations) {
+      const bool at_it = r.type == RelationType::kNextTo && names(r.references, desk);
+      if (r.type != RelationType::kFacing && !at_it) placed.insert(r.targets.begin(), r.targets.end());
+    }
+    std::vector<std::string> loose;
+    for (const SceneObject& seat : scene_.objects) {
+      if (entry_of(seat).is(Trait::kTableSeat) && !placed.contains(seat.id)) loose.push_back(seat.id);
+    }
+    return loose;
   }
 
-  bool is_told(const SceneObject& seat, const std::string& desk, RelationType type) const {
-    return std::ranges::any_of(scene_.relations, [&](const Relation& r) {
-      return r.type == type && r.origin == Origin::kAsked && names(r.targets, seat.id) && names(r.references, desk);
-    });
+  // Whom the text puts at a desk.
+  struct Sitters {
+    bool visited = false;
+    std::string own;  // the seat behind it: of several the last
+  };
+
+  std::map<std::string, Sitters> told_sitters() const {
+    std::unordered_map<std::string_view, std::size_t> seats;  // by id: their place among the objects
+    for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
+      if (entry_of(scene_.objects[i]).is(Trait::kTableSeat)) seats.emplace(scene_.objects[i].id, i);
+    }
+    std::map<std::string, Sitters> told;
+    std::map<std::string_view, std::size_t> last_behind;
+    for (const Relation& r : scene_.relations) {
+      const bool behind = r.type == RelationType::kBehind;
+      if (r.origin != Origin::kAsked || (!behind && r.type != RelationType::kInFrontOf)) continue;
+      for (const std::string& target : r.targets) {
+        const auto seat = seats.find(target);
+        if (seat == seats.end()) continue;
+        for (const std::string& desk : r.references) {
+          Sitters& sitters = told[desk];
+          sitters.visited |= !behind;
+          if (!behind || (!sitters.own.empty() && seat->second < last_behind[desk])) continue;
+          sitters.own = target, last_behind[desk] = seat->second;
+        }
+      }
+    }
+    return told;
   }
 
   // Somewhere else to sit at, where a chair may belong as well.
@@ -50,19 +89,13 @@ class Visitors {
     });
   }
 
-  void settle(const std::string& desk, bool only_desk) {
-    std::vector<std::string> visitors, loose;
+  void settle(const std::string& desk, const Sitters& told, bool only_desk) {
+    std::vector<std::string> visitors;
     const bool receives = std::ranges::find(kind_->rooms, scene_.room.type) != kind_->rooms.end();
     const bool alone = only_desk && !has_other_table(desk);
-    bool visited = false;
-    std::string own;
-    for (const SceneObject& seat : scene_.objects) {
-      if (!entry_of(seat).is(Trait::kTableSeat)) continue;
-      visited |= is_told(seat, desk, RelationType::kInFrontOf);
-      if (is_told(seat, desk, RelationType::kBehind)) own = seat.id;
-      if (alone && is_loose(seat, desk)) loose.push_back(seat.id);
-    }
-    const bool manned = !own.empty();
+    const std::vector<std::string> loose = alone ? loose_seats(desk) : std::vector<std::string>{};
+    const bool visited = told.visited, manned = !told.own.empty();
+    std::string own = told.own;
     // Of chairs that nobody placed the best to work on is the worker's.
     const auto works = [&](const std::string& id) { return entry_of(*scene_.find_object(id)).is(Trait::kWorkSeat); };
     for (const bool office : {true, false}) {

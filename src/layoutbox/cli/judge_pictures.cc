@@ -15,7 +15,7 @@ constexpr int kWidth = 960, kHeight = 540;  // of pictures drawn for a judge
 Result<vlm::Picture> plan_of(const Layout& layout) {
   FloorPlanOptions plan;
   plan.dots_per_inch = 120;
-  LAYOUTBOX_ASSIGN(std::string png, write_floor_plan_png(layout, plan));
+  LAYOUTBOX_ASSIGN(std::string png, write_floor_plan_png(layout, Catalog::builtin(), plan));
   return vlm::Picture{"image/png", std::move(png), {}, "its floor plan"};
 }
 
@@ -43,7 +43,7 @@ Result<std::vector<vlm::Picture>> drawn_pictures(const Layout& layout, const std
   LAYOUTBOX_ASSIGN(const auto folder, TemporaryFolder::make("layoutbox-views"));
   if (!render.views.empty()) {
     LAYOUTBOX_ASSIGN(const Model model, furnish(layout, Catalog::builtin()));
-    LAYOUTBOX_CHECK(write_file(folder.path() / "blender.py", write_blender_script(model, layout, render)));
+    LAYOUTBOX_CHECK(write_file(folder.path() / "blender.py", write_blender_script(model, layout, Catalog::builtin(), render)));
     LAYOUTBOX_ASSIGN(const Blender blender, find_blender());
     LAYOUTBOX_CHECK(run_blender(blender, folder.path() / "blender.py", folder.path(), render));
   }

@@ -30,7 +30,7 @@ int run_render(RenderArguments& flags, const Console& console) {
   const std::filesystem::path folder = flags.folder;
   if (const Status made = make_folder(folder); !made) return console.fail(made.error());
   const std::filesystem::path script = folder / "blender.py";
-  if (const Status written = write_file(script, write_blender_script(*model, *layout, flags.options)); !written) {
+  if (const Status written = write_file(script, write_blender_script(*model, *layout, Catalog::builtin(), flags.options)); !written) {
     return console.fail(written.error());
   }
   if (flags.no_render) {

@@ -12,7 +12,7 @@ double on_grid(double length) { return std::round(length / kGridMm) * kGridMm; }
 
 Dresser::Dresser(Layout& layout, const Catalog& catalog, const Spoken& spoken)
     : layout_(layout), catalog_(catalog), spoken_(spoken), room_(layout, catalog) {
-  const Corner corner = best_corner(layout);
+  const Corner corner = best_corner(layout, catalog);
   toward_x_ = corner == Corner::kNorthEast || corner == Corner::kSouthEast ? 1 : -1;
   toward_y_ = corner == Corner::kNorthEast || corner == Corner::kNorthWest ? 1 : -1;
 }

@@ -51,7 +51,7 @@ Status Pictures::draw_once(const Layout& layout, const fs::path& folder, bool al
   render.stop = stop_;
   LAYOUTBOX_ASSIGN(const TemporaryFolder place, TemporaryFolder::make("experiment-picture"));
   LAYOUTBOX_ASSIGN(const Model model, furnish(layout, catalog_));
-  LAYOUTBOX_CHECK(write_file(place.path() / "blender.py", write_blender_script(model, layout, render)));
+  LAYOUTBOX_CHECK(write_file(place.path() / "blender.py", write_blender_script(model, layout, catalog_, render)));
   LAYOUTBOX_ASSIGN(const RenderOutputs made, (*blender_)->render(place.path() / "blender.py", place.path(), render));
   for (const fs::path& file : made.files()) {
     LAYOUTBOX_ASSIGN(const std::string bytes, read_file(file, 64u << 20));
@@ -104,7 +104,7 @@ Status Pictures::look_at(const Layout& layout, const std::string& name, const fs
     } else {
       FloorPlanOptions plan;
       plan.dots_per_inch = 120;
-      LAYOUTBOX_ASSIGN(picture.bytes, write_floor_plan_png(layout, plan));
+      LAYOUTBOX_ASSIGN(picture.bytes, write_floor_plan_png(layout, catalog_, plan));
       picture.view = "its floor plan";
     }
     LAYOUTBOX_ASSIGN(said.cut_away, ask(layout, name, std::move(picture)));

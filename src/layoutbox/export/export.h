@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "layoutbox/base/result.h"
+#include "layoutbox/catalog/catalog.h"
 #include "layoutbox/furnish/model.h"
 #include "layoutbox/scene/layout.h"
 
@@ -29,10 +30,10 @@ struct FloorPlanOptions {
 };
 
 // An SVG floor plan, seen from above, x to the right, y up the page.
-std::string write_floor_plan_svg(const Layout& layout, const FloorPlanOptions& options = {});
+std::string write_floor_plan_svg(const Layout& layout, const Catalog& catalog, const FloorPlanOptions& options = {});
 
 // The same page as PDF, to scale on A4, and as PNG. Errors: kIo where the library Cairo is missing.
-Result<std::string> write_floor_plan_pdf(const Layout& layout, const FloorPlanOptions& options = {});
-Result<std::string> write_floor_plan_png(const Layout& layout, const FloorPlanOptions& options = {});
+Result<std::string> write_floor_plan_pdf(const Layout& layout, const Catalog& catalog, const FloorPlanOptions& options = {});
+Result<std::string> write_floor_plan_png(const Layout& layout, const Catalog& catalog, const FloorPlanOptions& options = {});
 
 }  // namespace layoutbox

@@ -1,11 +1,8 @@
 // The page: walls, openings, furniture, dimension lines, title. Symbols and labels have files of their own.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "layoutbox/base/words.h"
 #include "layoutbox/catalog/opening_look.h"
 #include "layoutbox/export/cairo_canvas.h"
 #include "layoutbox/export/export.h"
@@ -13,35 +10,28 @@
 #include "layoutbox/export/plan_ink.h"
 #include "layoutbox/export/plan_labels.h"
 #include "layoutbox/export/plan_room.h"
+#include "layoutbox/export/plan_sheet.h"
 #include "layoutbox/export/plan_symbols.h"
 #include "layoutbox/export/svg.h"
 
 namespace layoutbox {
 namespace {
 
-// A4 across, in millimetres.
-constexpr double kPageWidth = 297, kPageHeight = 210, kMargin = 10, kTitleHeight = 20, kKeyWidth = 46;
 constexpr double kSmallRatio = 50, kSmallMargin = 4;  // of a room alone
 constexpr std::array kScales{5, 10, 20, 25, 30, 40, 50, 60, 75, 100, 125, 150, 200, 250, 500, 1000, 2000, 5000};
 
-std::string title_of(const Layout& layout) {
-  std::string title = !layout.name.empty() ? layout.name : !layout.room.type.empty() ? layout.room.type : std::string("room");
-  std::replace(title.begin(), title.end(), '_', ' ');
-  if (title[0] >= 'a' && title[0] <= 'z') title[0] = static_cast<char>(title[0] - 'a' + 'A');
-  return title;
-}
-
 // The paper that a plan takes: width and height.
 PaperPoint paper_for(const Layout& layout, const FloorPlanOptions& options) {
-  if (options.sheet) return {kPageWidth, kPageHeight};
+  if (options.sheet) return {kSheetWidth, kSheetHeight};
   const PlanRoom room(layout);
   return {(room.x1 - room.x0) / kSmallRatio + 2 * kSmallMargin, (room.y1 - room.y0) / kSmallRatio + 2 * kSmallMargin};
 }
 
 class FloorPlan {
  public:
-  FloorPlan(const Layout& layout, const FloorPlanOptions& options, Canvas& canvas)
+  FloorPlan(const Layout& layout, const Catalog& catalog, const FloorPlanOptions& options, Canvas& canvas)
       : layout_(layout),
+        catalog_(catalog),
         options_(options),
         paper_(paper_for(layout, options)),
         ink_(paper_.x, paper_.y),
@@ -60,10 +50,9 @@ class FloorPlan {
     for (const Opening& opening : layout_.room.openings) draw_opening(opening);  // swings lie over rugs
     if (options_.sheet) {
       draw_dimensions(page_, scale_, layout_, room_);
-      draw_title();
-      draw_north();
+      draw_sheet(page_, layout_, ratio_, options_.scale_bar);
       draw_labels(page_, ink_, scale_, layout_, options_,
-                  {kPageWidth - kMargin - kKeyWidth, kMargin + 20, kPageWidth - kMargin, title_top() - 3});
+                  {kSheetWidth - kSheetMargin - kSheetKeyWidth, kSheetMargin + 20, kSheetWidth - kSheetMargin, kSheetTitleTop - 3});
     }
     for (const PlanMark& mark : options_.marks) draw_mark(mark);
   }
@@ -78,11 +67,10 @@ class FloorPlan {
     return out;
   }
 
-  static double title_top() { return kPageHeight - kMargin - kTitleHeight; }
-
   // The largest usual scale at which the room with its dimension lines fits beside the key.
   void choose_scale() {
-    const double width = kPageWidth - 2 * kMargin - kKeyWidth - 2 * kDimensionReach, height = title_top() - kMargin - 2 * kDimensionReach;
+    const double width = kSheetWidth - 2 * kSheetMargin - kSheetKeyWidth - 2 * kDimensionReach,
+                 height = kSheetTitleTop - kSheetMargin - 2 * kDimensionReach;
     ratio_ = kScales.back();
     for (const int ratio : kScales) {
       if ((room_.x1 - room_.x0) / ratio <= width && (room_.y1 - room_.y0) / ratio <= height) {
@@ -90,7 +78,7 @@ class FloorPlan {
         break;
       }
     }
-    put_in_the_middle(ratio_, {kMargin + kDimensionReach + width / 2, kMargin + kDimensionReach + height / 2});
+    put_in_the_middle(ratio_, {kSheetMargin + kDimensionReach + width / 2, kSheetMargin + kDimensionReach + height / 2});
   }
 
   void put_in_the_middle(double ratio, PaperPoint middle) {
@@ -183,78 +171,18 @@ class FloorPlan {
   void draw_furniture() {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < layout_.objects.size(); ++i) order.push_back(i);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return plan_height(layout_.objects[a]) < plan_height(layout_.objects[b]); });
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return plan_height(layout_.objects[a], catalog_) < plan_height(layout_.objects[b], catalog_);
+    });
     for (const std::size_t number : order) {
       const PlacedObject& object = layout_.objects[number];
       ink_.set_owner(static_cast<int>(number));
       page_.open_group(object.id, object.name.empty() ? object.category : object.name);
-      draw_symbol(page_, scale_, object);
+      draw_symbol(page_, scale_, object, catalog_);
       page_.close_group();
     }
   }
 
-  void draw_title() {
-    const double top = title_top();
-    page_.line({kMargin, top}, {kPageWidth - kMargin, top}, {"none", "#222", 0.3, {}});
-    page_.text({kMargin, top + 6.5}, 5, title_of(layout_), TextAnchor::kStart);
-    page_.text({kMargin, top + 11}, 2.6,
-               fmt::format("{:.1f} m² · ceiling {:.2f} m · {} · scale 1 : {} on A4 · lengths in metres, furniture in centimetres",
-                           area_m2(), m_from_mm(layout_.room.height), counted(layout_.objects.size(), "object"), ratio_),
-               TextAnchor::kStart, 0, "#555");
-    draw_prompt(top + 15);
-    if (options_.scale_bar) draw_scale_bar({kPageWidth - kMargin, top + 8});
-  }
-
-  double area_m2() const {
-    const auto& polygon = layout_.room.polygon;
-    double doubled = 0;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      const Point &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-      doubled += double(a.x) * double(b.y) - double(a.y) * double(b.x);
-    }
-    return doubled / 2e6;
-  }
-
-  // The words the room was made from, in at most three lines; a mark parts what stands in lines of its own, as edits do.
-  void draw_prompt(double y) {
-    std::string rest;
-    for (const char c : layout_.prompt) {
-      if (c != '\n')
-        rest += c;
-      else if (!rest.empty())
-        rest += " · ";
-    }
-    for (int line = 0; line < 3 && !rest.empty(); ++line, y += 3.2) {
-      std::size_t end = rest.size();
-      while (text_width(rest.substr(0, end), 2.2) > kPageWidth - 2 * kMargin) {
-        const std::size_t space = rest.rfind(' ', end - 1);
-        end = space == std::string::npos || space == 0 ? end / 2 : space;
-      }
-      const bool cut = line == 2 && end < rest.size();
-      page_.text({kMargin, y}, 2.2, rest.substr(0, end) + (cut ? " …" : ""), TextAnchor::kStart, 0, "#777");
-      rest.erase(0, std::min(rest.size(), end + 1));
-    }
-  }
-
-  void draw_scale_bar(PaperPoint right) {
-    // The longest round length of at most 60 mm on paper.
-    double metres = 0.1;
-    for (const double length : {0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0}) {
-      if (length * 1000 * scale_.factor <= 60) metres = length;
-    }
-    const double width = metres * 1000 * scale_.factor, x = right.x - width - 6, step = width / 4;
-    for (int i = 0; i < 4; ++i) {
-      const double a = x + i * step;
-      page_.polygon({{a, right.y - 1.2}, {a + step, right.y - 1.2}, {a + step, right.y}, {a, right.y}},
-                    {i % 2 == 0 ? "#222" : "#fff", "#222", 0.15, {}});
-    }
-    page_.text({x, right.y - 2}, 2.2, "0", TextAnchor::kMiddle);
-    page_.text({x + width / 2, right.y - 2}, 2.2, fmt::format("{:g}", metres / 2), TextAnchor::kMiddle);
-    page_.text({x + width, right.y - 2}, 2.2, fmt::format("{:g} m", metres), TextAnchor::kMiddle);
-  }
-
-  // North is the back of the room: +y, up the page.
   void draw_mark(const PlanMark& mark) {
     if (mark.corners.empty()) return;
     std::vector<PaperPoint> points;
@@ -267,14 +195,8 @@ class FloorPlan {
     page_.close_group();
   }
 
-  void draw_north() {
-    const PaperPoint c{kPageWidth - kMargin - 6, kMargin + 7};
-    page_.circle(c, 4.5, {"none", "#444", 0.2, {}});
-    page_.polygon({{c.x, c.y - 4.5}, {c.x + 1.8, c.y + 3.2}, {c.x, c.y + 1.8}, {c.x - 1.8, c.y + 3.2}}, {"#444", "none", 0, {}});
-    page_.text({c.x, c.y - 5.2}, 2.8, "N", TextAnchor::kMiddle);
-  }
-
   const Layout& layout_;
+  const Catalog& catalog_;
   const FloorPlanOptions& options_;
   PaperPoint paper_;
   PlanInk ink_;
@@ -286,30 +208,30 @@ class FloorPlan {
 
 }  // namespace
 
-std::string write_floor_plan_svg(const Layout& layout, const FloorPlanOptions& options) {
+std::string write_floor_plan_svg(const Layout& layout, const Catalog& catalog, const FloorPlanOptions& options) {
   const PaperPoint paper = paper_for(layout, options);
   SvgWriter svg(paper.x, paper.y, options.sheet ? 2 : 1);
-  FloorPlan(layout, options, svg).draw();
+  FloorPlan(layout, catalog, options, svg).draw();
   return std::move(svg).finish();
 }
 
 namespace {
 
-Result<std::string> write_by_cairo(PageFormat format, const Layout& layout, FloorPlanOptions options) {
+Result<std::string> write_by_cairo(PageFormat format, const Layout& layout, const Catalog& catalog, FloorPlanOptions options) {
   options.sheet = true;
-  LAYOUTBOX_ASSIGN(const auto page, CairoCanvas::make(format, kPageWidth, kPageHeight, options.dots_per_inch, title_of(layout)));
-  FloorPlan(layout, options, *page).draw();
+  LAYOUTBOX_ASSIGN(const auto page, CairoCanvas::make(format, kSheetWidth, kSheetHeight, options.dots_per_inch, plan_title(layout)));
+  FloorPlan(layout, catalog, options, *page).draw();
   return page->finish();
 }
 
 }  // namespace
 
-Result<std::string> write_floor_plan_pdf(const Layout& layout, const FloorPlanOptions& options) {
-  return write_by_cairo(PageFormat::kPdf, layout, options);
+Result<std::string> write_floor_plan_pdf(const Layout& layout, const Catalog& catalog, const FloorPlanOptions& options) {
+  return write_by_cairo(PageFormat::kPdf, layout, catalog, options);
 }
 
-Result<std::string> write_floor_plan_png(const Layout& layout, const FloorPlanOptions& options) {
-  return write_by_cairo(PageFormat::kPng, layout, options);
+Result<std::string> write_floor_plan_png(const Layout& layout, const Catalog& catalog, const FloorPlanOptions& options) {
+  return write_by_cairo(PageFormat::kPng, layout, catalog, options);
 }
 
 }  // namespace layoutbox

@@ -91,7 +91,7 @@ TEST(FloorPlan, IsWellFormedWhateverTheNames) {
   add_object(layout, "bed", {1600, 2000, 500}, 1000, 1500);
   layout.objects[0].name = "<b>&amp;\"'bed";
   layout.objects[0].id = "bed\"1<";
-  const std::string svg = write_floor_plan_svg(layout);
+  const std::string svg = write_floor_plan_svg(layout, Catalog::builtin());
   EXPECT_EQ(fault_of(svg), "");
   EXPECT_THAT(svg, Not(HasSubstr("<script>")));
   EXPECT_THAT(svg, HasSubstr("é 🛋"));
@@ -100,29 +100,29 @@ TEST(FloorPlan, IsWellFormedWhateverTheNames) {
 TEST(FloorPlan, PartsTheLinesOfAPromptAndItsEdits) {
   Layout layout = room_of(4000, 3000);
   layout.prompt = "A room with a sofa.\npaint the walls blue\nremove the rug";
-  EXPECT_THAT(write_floor_plan_svg(layout), HasSubstr("A room with a sofa. · paint the walls blue · remove the rug"));
+  EXPECT_THAT(write_floor_plan_svg(layout, Catalog::builtin()), HasSubstr("A room with a sofa. · paint the walls blue · remove the rug"));
 }
 
 TEST(FloorPlan, NamesAndMeasuresEveryObject) {
   Layout layout = room_of(4000, 3000);
   add_object(layout, "bed", {1600, 2000, 500}, 1000, 1500);
   add_object(layout, "table_lamp", {60, 60, 300}, 3000, 1500);  // too small for its name: beside the room
-  const std::string svg = write_floor_plan_svg(layout);
+  const std::string svg = write_floor_plan_svg(layout, Catalog::builtin());
   EXPECT_THAT(svg, HasSubstr(">bed</text>"));
   EXPECT_THAT(svg, HasSubstr(">160 × 200</text>"));
   EXPECT_THAT(svg, HasSubstr(">table lamp</text>"));
   EXPECT_THAT(svg, HasSubstr(">4.00</text>"));
   EXPECT_THAT(svg, HasSubstr(">3.00</text>"));
   EXPECT_THAT(svg, HasSubstr("12.0 m²"));
-  const std::string bare = write_floor_plan_svg(layout, bare_plan());
+  const std::string bare = write_floor_plan_svg(layout, Catalog::builtin(), bare_plan());
   EXPECT_THAT(bare, Not(HasSubstr(">bed</text>")));
 }
 
 TEST(FloorPlan, TakesTheLargestScaleThatFits) {
-  EXPECT_THAT(write_floor_plan_svg(room_of(1500, 1500)), HasSubstr("1 : 20 "));
-  EXPECT_THAT(write_floor_plan_svg(room_of(4000, 3000)), HasSubstr("1 : 25 "));
-  EXPECT_THAT(write_floor_plan_svg(room_of(20000, 15000)), HasSubstr("1 : 125 "));
-  EXPECT_THAT(write_floor_plan_svg(room_of(90000, 60000)), HasSubstr("1 : 500 "));
+  EXPECT_THAT(write_floor_plan_svg(room_of(1500, 1500), Catalog::builtin()), HasSubstr("1 : 20 "));
+  EXPECT_THAT(write_floor_plan_svg(room_of(4000, 3000), Catalog::builtin()), HasSubstr("1 : 25 "));
+  EXPECT_THAT(write_floor_plan_svg(room_of(20000, 15000), Catalog::builtin()), HasSubstr("1 : 125 "));
+  EXPECT_THAT(write_floor_plan_svg(room_of(90000, 60000), Catalog::builtin()), HasSubstr("1 : 500 "));
 }
 
 // All coordinates of shapes lie on the page.
@@ -130,7 +130,7 @@ TEST(FloorPlan, StaysOnThePage) {
   for (const auto& [width, depth] : {std::pair<Mm, Mm>{1500, 1500}, {20000, 15000}, {20000, 1500}, {2000, 15000}}) {
     Layout layout = room_of(width, depth);
     for (int i = 0; i < 40; ++i) add_object(layout, "chair", {100, 100, 900}, width / 2.0, depth * i / 40.0);
-    const std::string svg = write_floor_plan_svg(layout);
+    const std::string svg = write_floor_plan_svg(layout, Catalog::builtin());
     const std::regex points("points=\"([^\"]*)\"");
     for (std::sregex_iterator it(svg.begin(), svg.end(), points), end; it != end; ++it) {
       std::istringstream list((*it)[1]);
@@ -146,7 +146,7 @@ TEST(FloorPlan, StaysOnThePage) {
 TEST(FloorPlan, LongPromptsWrap) {
   Layout layout = room_of(4000, 3000);
   for (int i = 0; i < 90; ++i) layout.prompt += i % 2 == 0 ? "a wide mahogany wardrobe, " : "il filo ";
-  const std::string svg = write_floor_plan_svg(layout);
+  const std::string svg = write_floor_plan_svg(layout, Catalog::builtin());
   const std::regex text(R"re(<text x="([0-9.]+)"[^>]*text-anchor="start" textLength="([0-9.]+)"[^>]*>([^<]*)<)re");
   int of_prompt = 0;
   for (std::sregex_iterator it(svg.begin(), svg.end(), text), end; it != end; ++it) {
@@ -167,7 +167,7 @@ TEST(FloorPlan, DrawsTheLeafWhereItSwings) {
     door.width = 800;
     door.swing = swing;
     layout.room.openings.push_back(door);
-    const std::string svg = write_floor_plan_svg(layout);
+    const std::string svg = write_floor_plan_svg(layout, Catalog::builtin());
     const std::regex line(R"re(points="([0-9.]+),([0-9.]+) ([0-9.]+),([0-9.]+)" fill="none" stroke="#222" stroke-width="0.5")re");
     std::smatch match;
     EXPECT_TRUE(std::regex_search(svg, match, line));
@@ -195,7 +195,7 @@ TEST(FloorPlan, DrawsBothLeavesOfADoor) {
     door.swing = swing;
     door.attributes = std::move(words);
     layout.room.openings.push_back(door);
-    const std::string svg = write_floor_plan_svg(layout);
+    const std::string svg = write_floor_plan_svg(layout, Catalog::builtin());
     const std::regex line(R"re(fill="none" stroke="#222" stroke-width="0.5")re");
     return std::distance(std::sregex_iterator(svg.begin(), svg.end(), line), std::sregex_iterator());
   };
@@ -212,7 +212,7 @@ TEST(FloorPlan, DrawsKindsDifferently) {
     add_object(layout, category, {800, 800, 800}, 2000, 1500);
     layout.objects[0].name = "thing";
     layout.objects[0].id = "thing_1";
-    return write_floor_plan_svg(layout, bare_plan());
+    return write_floor_plan_svg(layout, Catalog::builtin(), bare_plan());
   };
   const char* kinds[] = {"bed",   "sofa",     "chair",     "round_stool", "floor_lamp", "desk",  "toilet",
                          "sink",  "bathtub",  "shower",    "stove",       "fridge",     "plant", "tv",
@@ -224,7 +224,7 @@ TEST(FloorPlan, DrawsKindsDifferently) {
   }
 }
 
-TEST(FloorPlan, DrawsALayoutWithoutRoomOrObjects) { EXPECT_EQ(fault_of(write_floor_plan_svg(Layout{})), ""); }
+TEST(FloorPlan, DrawsALayoutWithoutRoomOrObjects) { EXPECT_EQ(fault_of(write_floor_plan_svg(Layout{}, Catalog::builtin())), ""); }
 
 TEST(EscapeXml, ReplacesWhatXmlDoesNotAllow) {
   EXPECT_EQ(escape_xml("a<b>&\"c"), "a&lt;b&gt;&amp;&quot;c");

@@ -12,16 +12,16 @@ Result<std::string> glb(const Layout& layout, const Catalog& catalog, const Expo
   return write_glb(model, layout);
 }
 
-Result<std::string> pdf(const Layout& layout, const Catalog&, const ExportOptions& options) {
-  return write_floor_plan_pdf(layout, options.plan);
+Result<std::string> pdf(const Layout& layout, const Catalog& catalog, const ExportOptions& options) {
+  return write_floor_plan_pdf(layout, catalog, options.plan);
 }
 
-Result<std::string> png(const Layout& layout, const Catalog&, const ExportOptions& options) {
-  return write_floor_plan_png(layout, options.plan);
+Result<std::string> png(const Layout& layout, const Catalog& catalog, const ExportOptions& options) {
+  return write_floor_plan_png(layout, catalog, options.plan);
 }
 
-Result<std::string> svg(const Layout& layout, const Catalog&, const ExportOptions& options) {
-  return write_floor_plan_svg(layout, options.plan);
+Result<std::string> svg(const Layout& layout, const Catalog& catalog, const ExportOptions& options) {
+  return write_floor_plan_svg(layout, catalog, options.plan);
 }
 
 constexpr std::array kFormats{

@@ -93,7 +93,7 @@ std::vector<std::array<double, 4>> leaders_of(const std::string& svg) {
 }
 
 TEST(PlanLabels, NoTwoTextsOverlapAndNoLineCrossesOne) {
-  const std::string svg = write_floor_plan_svg(laid_table());
+  const std::string svg = write_floor_plan_svg(laid_table(), Catalog::builtin());
   const std::vector<Text> texts = texts_of(svg);
   ASSERT_GT(texts.size(), 25U);
   for (std::size_t i = 0; i < texts.size(); ++i) {
@@ -115,17 +115,17 @@ TEST(PlanLabels, NoTwoTextsOverlapAndNoLineCrossesOne) {
 }
 
 TEST(PlanLabels, WhatHasNoRoomForItsNameIsInTheKeyOnce) {
-  const std::string svg = write_floor_plan_svg(laid_table());
+  const std::string svg = write_floor_plan_svg(laid_table(), Catalog::builtin());
   EXPECT_THAT(svg, HasSubstr(">6 × glass</text>"));
   EXPECT_THAT(svg, HasSubstr(">7.5 × 7.5</text>"));
   EXPECT_THAT(svg, HasSubstr(">chandelier</text>"));
   FloorPlanOptions without_sizes;
   without_sizes.sizes = false;
-  EXPECT_THAT(write_floor_plan_svg(laid_table(), without_sizes), Not(HasSubstr(">7.5 × 7.5</text>")));
+  EXPECT_THAT(write_floor_plan_svg(laid_table(), Catalog::builtin(), without_sizes), Not(HasSubstr(">7.5 × 7.5</text>")));
 }
 
 TEST(PlanLabels, EqualThingsAreLabelledAlike) {
-  const std::string svg = write_floor_plan_svg(laid_table());
+  const std::string svg = write_floor_plan_svg(laid_table(), Catalog::builtin());
   std::set<std::string> sizes;
   int chairs = 0;
   static const std::regex chair(R"re(font-size="([0-9.]+)"[^>]*>chair<)re");
@@ -139,11 +139,12 @@ TEST(PlanLabels, AFullHouseIsStillExplained) {
   for (int i = 0; i < 120; ++i) {
     add(layout, "thing", {100, 100, 100}, 400 + 700 * (i % 12), 400 + 800 * (i / 12)).name = "curious thing number " + std::to_string(i);
   }
-  EXPECT_THAT(write_floor_plan_svg(layout), HasSubstr("kinds more</text>"));
+  EXPECT_THAT(write_floor_plan_svg(layout, Catalog::builtin()), HasSubstr("kinds more</text>"));
 }
 
 TEST(PlanDimensions, AnLIsMeasuredAlongItsSides) {
-  const std::string svg = write_floor_plan_svg(room_with({{0, 0}, {7000, 0}, {7000, 2900}, {4700, 2900}, {4700, 5800}, {0, 5800}}));
+  const std::string svg =
+      write_floor_plan_svg(room_with({{0, 0}, {7000, 0}, {7000, 2900}, {4700, 2900}, {4700, 5800}, {0, 5800}}), Catalog::builtin());
   for (const char* length : {">7.00<", ">5.80<", ">4.70<", ">2.30<", ">2.90<"}) EXPECT_THAT(svg, HasSubstr(length)) << length;
 }
 
@@ -154,7 +155,7 @@ TEST(PlanDimensions, ManyWallsAreMeasuredAsAWhole) {
     corners.push_back(
         {static_cast<Mm>(std::lround(2500 + 2500 * std::cos(angle))), static_cast<Mm>(std::lround(2500 + 2500 * std::sin(angle)))});
   }
-  const std::string svg = write_floor_plan_svg(room_with(corners));
+  const std::string svg = write_floor_plan_svg(room_with(corners), Catalog::builtin());
   EXPECT_THAT(svg, HasSubstr(">5.00<"));
   EXPECT_THAT(svg, Not(HasSubstr(">0.65<")));
 }
@@ -168,7 +169,7 @@ TEST(PlanDimensions, ShortPiecesHaveTheirFigureToo) {
   door.offset = 60;
   door.width = 900;
   layout.room.openings.push_back(door);
-  const std::string svg = write_floor_plan_svg(layout);
+  const std::string svg = write_floor_plan_svg(layout, Catalog::builtin());
   EXPECT_THAT(svg, HasSubstr(">0.06<"));
   EXPECT_THAT(svg, HasSubstr(">3.04<"));
 }
@@ -182,7 +183,7 @@ TEST(FloorPlan, AWideDoorHasTwoLeaves) {
   door.width = 1600;
   const auto leaves = [&] {
     layout.room.openings = {door};
-    const std::string svg = write_floor_plan_svg(layout);
+    const std::string svg = write_floor_plan_svg(layout, Catalog::builtin());
     int count = 0;
     for (std::size_t at = 0; (at = svg.find("stroke-width=\"0.5\"", at)) != std::string::npos; ++at) ++count;
     return count;

@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "layoutbox/base/units.h"
-#include "layoutbox/catalog/catalog.h"
 
 namespace layoutbox {
 
-Pen::Pen(Canvas& page, const PlanScale& scale, const PlacedObject& object) : page_(page), scale_(scale), object_(object) {
+Pen::Pen(Canvas& page, const PlanScale& scale, const PlacedObject& object, std::string_view family)
+    : page_(page), scale_(scale), object_(object), family_(family) {
   const double turn = radians_from_degrees(object.rotation_deg);
   cos_ = std::cos(turn);
   sin_ = std::sin(turn);
@@ -49,8 +49,6 @@ void Pen::shape(const std::vector<PaperPoint>& corners) {
 }
 
 void Pen::line(double x0, double y0, double x1, double y1) { page_.line(at(x0, y0), at(x1, y1), style); }
-
-std::string_view family_of(const PlacedObject& object) { return Catalog::builtin().entry_or_nearest(object.category).shape.family; }
 
 bool is_called_round(const PlacedObject& object) {
   constexpr std::string_view kRound[] = {"round", "circular", "oval"};

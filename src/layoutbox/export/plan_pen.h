@@ -11,10 +11,12 @@ namespace layoutbox {
 // Millimetres, origin at the centre of the footprint, front to −y.
 class Pen {
  public:
-  Pen(Canvas& page, const PlanScale& scale, const PlacedObject& object);
+  Pen(Canvas& page, const PlanScale& scale, const PlacedObject& object, std::string_view family);
 
   double w() const { return object_.size.width; }
   double d() const { return object_.size.depth; }
+  // Of shapes, that the object's kind is drawn by.
+  std::string_view family() const { return family_; }
 
   void box(double x0, double x1, double y0, double y1);
   // The same with round corners.
@@ -33,11 +35,9 @@ class Pen {
   Canvas& page_;
   const PlanScale& scale_;
   const PlacedObject& object_;
+  std::string_view family_;
   double cos_ = 1, sin_ = 0;
 };
-
-// The family of shapes that the object's kind is drawn by.
-std::string_view family_of(const PlacedObject& object);
 
 // Is the object called round or oval?
 bool is_called_round(const PlacedObject& object);

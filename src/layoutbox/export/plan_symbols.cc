@@ -57,12 +57,10 @@ constexpr SymbolRow kSymbols[] = {
     {"roof_slope", draw_roof_slope},
 };
 
-const CatalogEntry& entry_of(const PlacedObject& object) { return Catalog::builtin().entry_or_nearest(object.category); }
-
 }  // namespace
 
-double plan_height(const PlacedObject& object) {
-  const CatalogEntry& entry = entry_of(object);
+double plan_height(const PlacedObject& object, const Catalog& catalog) {
+  const CatalogEntry& entry = catalog.entry_or_nearest(object.category);
   if (entry.is(Trait::kRoofSlope)) return 9e5;
   if (object.mount == Mount::kCeiling) return 1e6;
   const bool seat = entry.is(Trait::kSeat) && !entry.is(Trait::kEasySeat);
@@ -73,9 +71,10 @@ bool has_symbol(std::string_view name) {
   return std::any_of(std::begin(kSymbols), std::end(kSymbols), [&](const SymbolRow& row) { return row.name == name; });
 }
 
-void draw_symbol(Canvas& page, const PlanScale& scale, const PlacedObject& object) {
-  Pen pen(page, scale, object);
-  if (object.mount == Mount::kCeiling && !entry_of(object).is(Trait::kRoofSlope)) {
+void draw_symbol(Canvas& page, const PlanScale& scale, const PlacedObject& object, const Catalog& catalog) {
+  const CatalogEntry& entry = catalog.entry_or_nearest(object.category);
+  Pen pen(page, scale, object, entry.shape.family);
+  if (object.mount == Mount::kCeiling && !entry.is(Trait::kRoofSlope)) {
     pen.style.dash = "0.8 0.6";
     pen.style.fill = "none";
     const bool round = std::abs(pen.w() - pen.d()) < 0.1 * pen.w();
@@ -83,7 +82,7 @@ void draw_symbol(Canvas& page, const PlanScale& scale, const PlacedObject& objec
     pen.line(-0.2 * pen.w(), 0, 0.2 * pen.w(), 0);
     return pen.line(0, -0.2 * pen.d(), 0, 0.2 * pen.d());
   }
-  const std::string_view symbol = entry_of(object).shape.symbol;
+  const std::string_view symbol = entry.shape.symbol;
   const auto* row = std::find_if(std::begin(kSymbols), std::end(kSymbols), [&](const SymbolRow& r) { return r.name == symbol; });
   row != std::end(kSymbols) ? row->draw(pen, object) : draw_box(pen, object);
 }

@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "layoutbox/catalog/catalog.h"
 #include "layoutbox/export/canvas.h"
 #include "layoutbox/scene/layout.h"
 
@@ -17,12 +18,12 @@ struct PlanScale {
 
 // How high up an object counts in the plan, in millimetres: what is higher is drawn over what is lower. Seats count with their seat, so
 // that they slide under tables; what hangs from the ceiling comes last.
-double plan_height(const PlacedObject& object);
+double plan_height(const PlacedObject& object, const Catalog& catalog);
 
 // Whether there is a symbol of that name, as shapes in the catalogue have one.
 bool has_symbol(std::string_view name);
 
 // Draws the object's symbol at its place. Objects that hang from the ceiling are dashed.
-void draw_symbol(Canvas& page, const PlanScale& scale, const PlacedObject& object);
+void draw_symbol(Canvas& page, const PlanScale& scale, const PlacedObject& object, const Catalog& catalog);
 
 }  // namespace layoutbox

@@ -69,13 +69,13 @@ void draw_kitchen_sink(Pen& pen, const PlacedObject&) {
 }
 
 // A door in front; what the machine is about in the corner: cold, a drum, or nothing.
-void draw_appliance(Pen& pen, const PlacedObject& object) {
+void draw_appliance(Pen& pen, const PlacedObject&) {
   const double w = pen.w() / 2, d = pen.d() / 2, r = 0.2 * std::min(w, d), x = w - 1.5 * r, y = d - 1.5 * r;
   pen.style.fill = "#ececec";
   pen.outline();
   pen.style.width = 0.12;
   pen.line(-w, -0.85 * d, w, -0.85 * d);
-  const std::string_view family = family_of(object);
+  const std::string_view family = pen.family();
   if (family == "dishwasher") return;
   if (family == "washing_machine") return pen.ellipse(x, y, r, r);
   for (int i = 0; i < 3; ++i) {
@@ -94,7 +94,7 @@ void draw_piano(Pen& pen, const PlacedObject& object) {
   if (pen.w() < 700) return draw_flat(pen, object);  // a computer's keyboard
   const double w = pen.w(), d = pen.d();
   pen.style.fill = "#d6d2cd";
-  if (family_of(object) == "grand_piano") {
+  if (pen.family() == "grand_piano") {
     // The straight side at the bass, left of the keys; the bent side from the treble to the tail.
     std::vector<PaperPoint> outline{{w / 2, -d / 2}, {w / 2, -0.1 * d}};
     for (int i = 0; i <= 12; ++i) {

@@ -57,7 +57,8 @@ Corners place_of(const Check& check, const checks::RoomView& view) {
 
 std::string plan_of(const Judgement& judgement, const std::vector<const Check*>& failed, bool sheet = true) {
   const VerifyOptions options;
-  const checks::RoomView view(judgement.room.layout, Catalog::builtin(), options);
+  const Catalog& catalog = Catalog::builtin();  // what is judged comes from files
+  const checks::RoomView view(judgement.room.layout, catalog, options);
   FloorPlanOptions plan;
   plan.sheet = sheet;
   for (std::size_t i = 0; i < failed.size(); ++i) {
@@ -70,7 +71,7 @@ std::string plan_of(const Judgement& judgement, const std::vector<const Check*>&
       same->label += fmt::format(", {}", i + 1);
     }
   }
-  std::string svg = write_floor_plan_svg(judgement.room.layout, plan);
+  std::string svg = write_floor_plan_svg(judgement.room.layout, catalog, plan);
   const std::size_t start = svg.find("<svg");
   return start == std::string::npos ? svg : svg.substr(start);
 }

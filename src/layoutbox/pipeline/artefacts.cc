@@ -12,9 +12,9 @@ using Text = Result<std::string>;
 
 Text scene_json(const RoomSoFar& room) { return write_scene(room.scene); }
 Text layout_json(const RoomSoFar& room) { return write_layout(room.layout); }
-Text floor_plan(const RoomSoFar& room) { return write_floor_plan_svg(room.layout); }
+Text floor_plan(const RoomSoFar& room) { return write_floor_plan_svg(room.layout, room.catalog); }
 Text glb(const RoomSoFar& room) { return write_glb(room.model, room.layout); }
-Text blender_script(const RoomSoFar& room) { return write_blender_script(room.model, room.layout, room.options.render); }
+Text blender_script(const RoomSoFar& room) { return write_blender_script(room.model, room.layout, room.catalog, room.options.render); }
 Text report_json(const RoomSoFar& room) { return write_report(room.report); }
 
 constexpr std::array kArtefacts{

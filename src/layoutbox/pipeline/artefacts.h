@@ -11,6 +11,7 @@ namespace layoutbox {
 
 // What a room is made of so far; what its stage has not reached is empty.
 struct RoomSoFar {
+  const Catalog& catalog;
   const SceneGraph& scene;
   const Layout& layout;
   const Model& model;

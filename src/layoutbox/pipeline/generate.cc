@@ -79,7 +79,7 @@ class Run {
     return {};
   }
 
-  RoomSoFar room() const { return {outcome_.scene, outcome_.layout, model_, outcome_.report, options_}; }
+  RoomSoFar room() const { return {catalog_, outcome_.scene, outcome_.layout, model_, outcome_.report, options_}; }
 
   Status plan(const Planner& planner) {
     begin();
@@ -175,7 +175,7 @@ class Run {
       LAYOUTBOX_ASSIGN(const Model model, furnish(layout, catalog_, options_.furnish));
       const Report report = verify_with_furniture(layout, model, catalog_, options_.verify);
       for (const Stage stage : {Stage::kExport, Stage::kVerify}) {
-        LAYOUTBOX_CHECK(folder_.write_artefacts(stage, {outcome_.scene, layout, model, report, options_}, k));
+        LAYOUTBOX_CHECK(folder_.write_artefacts(stage, {catalog_, outcome_.scene, layout, model, report, options_}, k));
       }
     }
     finish("variants", counted(outcome_.more_layouts.size(), "more layout") + " furnished, exported and verified");
@@ -212,7 +212,7 @@ class Run {
 
   Status write_more_layouts() {
     for (std::size_t k = 1; k <= outcome_.more_layouts.size(); ++k) {
-      const RoomSoFar one{outcome_.scene, outcome_.more_layouts[k - 1], model_, outcome_.report, options_};
+      const RoomSoFar one{catalog_, outcome_.scene, outcome_.more_layouts[k - 1], model_, outcome_.report, options_};
       LAYOUTBOX_CHECK(folder_.write_artefacts(Stage::kSolve, one, k));
     }
     return {};

@@ -41,7 +41,7 @@ Result<GenerateOutcome> lay_out(const Expected& expected, const Planner& planner
 
 Status pack_files(const Expected& expected, const Catalog& catalog, const GenerateOutcome& outcome, Packed& packed) {
   LAYOUTBOX_ASSIGN(const Model model, furnish(outcome.layout, catalog, expected.options.furnish));
-  const RoomSoFar room{outcome.scene, outcome.layout, model, outcome.report, expected.options};
+  const RoomSoFar room{catalog, outcome.scene, outcome.layout, model, outcome.report, expected.options};
   const std::string key = key_in_shard(expected.line->id);
   for (const Artefact& one : artefacts()) {
     if (!one.packed) continue;

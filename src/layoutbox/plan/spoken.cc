@@ -20,7 +20,7 @@ Spoken::Spoken(const SceneGraph& scene, std::vector<std::string> excluded, const
     : catalog_(&catalog), excluded_(std::move(excluded)), said_(words_of(scene.prompt)) {
   for (const SceneObject& object : scene.objects) {
     const bool named = object.origin == Origin::kAsked || object.origin == Origin::kConcluded;
-    if (named) named_.push_back({object.category, head_of(object.name), object.origin == Origin::kAsked});
+    if (named) named_.insert({object.category, head_of(object.name), object.origin == Origin::kAsked});
   }
 }
 

@@ -1,6 +1,8 @@
 // What a text speaks of: the kinds that it names, counts or wants none of, and its very words. What is added unasked keeps off these.
 #pragma once
 
+#include <compare>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,8 +41,9 @@ class Spoken {
   struct Named {
     std::string category, head;  // `head`: its noun
     bool asked = false;          // not only concluded from for how many it is
+    auto operator<=>(const Named&) const = default;
   };
-  std::vector<Named> named_;
+  std::set<Named> named_;  // each once, however many there are
 };
 
 }  // namespace layoutbox

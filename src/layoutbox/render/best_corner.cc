@@ -89,7 +89,7 @@ double shown_from(const std::vector<Thing>& things, double azimuth_deg, double e
 }
 
 // What is seen of walls, doors and windows that the text gives a look of their own: on walls that do not turn their back on the camera.
-double looks_shown_from(const Layout& layout, double azimuth_deg) {
+double looks_shown_from(const Layout& layout, const Catalog& catalog, double azimuth_deg) {
   const Room& room = layout.room;
   const double azimuth = radians_from_degrees(azimuth_deg);
   double shown = 0;
@@ -99,7 +99,8 @@ double looks_shown_from(const Layout& layout, double azimuth_deg) {
     const bool own_look = !wall.material.empty() && wall.material != room.wall_material;
     if (own_look) shown += kWallWorth * std::hypot(along_x, along_y) * m_from_mm(room.height);
     for (const PlacedObject& object : layout.objects) {
-      if (wall_of_slope(layout, object) == &wall) shown += kOpeningWorth * m_from_mm(object.size.width) * m_from_mm(object.size.height);
+      if (wall_of_slope(layout, object, catalog) == &wall)
+        shown += kOpeningWorth * m_from_mm(object.size.width) * m_from_mm(object.size.height);
     }
     for (const Opening& opening : room.openings) {
       if (opening.wall == wall.id && !opening.attributes.empty())
@@ -146,10 +147,10 @@ std::optional<Corner> corner_from_name(std::string_view name) {
   return std::nullopt;
 }
 
-Corner best_corner(const Layout& layout, double elevation_deg) {
+Corner best_corner(const Layout& layout, const Catalog& catalog, double elevation_deg) {
   std::vector<Thing> things;
   for (const PlacedObject& object : layout.objects) {
-    if (object.origin != Origin::kAdded && wall_of_slope(layout, object) == nullptr)
+    if (object.origin != Origin::kAdded && wall_of_slope(layout, object, catalog) == nullptr)
       things.push_back(thing_of(object));  // what we add to a room does not turn it
   }
   const auto volume = [](const Thing& t) { return t.half_width * t.half_depth * t.height; };
@@ -158,7 +159,7 @@ Corner best_corner(const Layout& layout, double elevation_deg) {
   Corner best = Corner::kSouthEast;
   const auto shown_at = [&](Corner corner) {
     const double azimuth = azimuth_of(corner);
-    return shown_from(things, azimuth, elevation_deg) + looks_shown_from(layout, azimuth) + hung_shown_from(layout, azimuth);
+    return shown_from(things, azimuth, elevation_deg) + looks_shown_from(layout, catalog, azimuth) + hung_shown_from(layout, azimuth);
   };
   double most = shown_at(best) * kBetter;
   for (const Corner corner : {Corner::kSouthWest, Corner::kNorthEast, Corner::kNorthWest}) {
@@ -168,9 +169,9 @@ Corner best_corner(const Layout& layout, double elevation_deg) {
   return best;
 }
 
-double azimuth_from(const Layout& layout, const RenderOptions& options) {
+double azimuth_from(const Layout& layout, const Catalog& catalog, const RenderOptions& options) {
   if (options.azimuth_deg) return *options.azimuth_deg;
-  return azimuth_of(options.corner == Corner::kBest ? best_corner(layout, options.elevation_deg) : options.corner);
+  return azimuth_of(options.corner == Corner::kBest ? best_corner(layout, catalog, options.elevation_deg) : options.corner);
 }
 
 }  // namespace layoutbox

@@ -91,7 +91,7 @@ std::string head(const Layout& layout) {
   return text + "\n";
 }
 
-std::string settings(const Layout& layout, const RenderOptions& options) {
+std::string settings(const Layout& layout, const Catalog& catalog, const RenderOptions& options) {
   std::string views;
   for (const View view : options.views) views += fmt::format("\"{}\", ", name_of(view));
   return fmt::format(
@@ -106,7 +106,7 @@ std::string settings(const Layout& layout, const RenderOptions& options) {
       "QUALITY = \"{}\"\n"
       "SAMPLES = {{\"draft\": {{\"denoised\": 3, \"filtered\": 6}}, \"preview\": {{\"denoised\": 10, \"filtered\": 20}},\n"
       "           \"final\": {{\"denoised\": 96, \"filtered\": 128}}}}\n\n",
-      options.save_blend ? "\"scene.blend\"" : "\"\"", views, number(azimuth_from(layout, options)), number(options.elevation_deg),
+      options.save_blend ? "\"scene.blend\"" : "\"\"", views, number(azimuth_from(layout, catalog, options)), number(options.elevation_deg),
       python(options.orthographic), options.width, options.height, options.all_walls ? ", \"all_walls\": True" : "",
       quality_name(options.quality));
 }
@@ -203,14 +203,14 @@ Size3f box_of(const Node& node, const Layout& layout) {
   return bounds_of(node);
 }
 
-std::string row(const Node& node, const Layout& layout, const Model& model, std::span<const int> meshes) {
+std::string row(const Node& node, const Layout& layout, const Catalog& catalog, const Model& model, std::span<const int> meshes) {
   const PlacedObject* object = node.kind == NodeKind::kObject ? layout.find_object(node.id) : nullptr;
   const std::string support = object != nullptr ? object->supported_by : "";
   std::string uses;
   if (object != nullptr) {
     for (const Side side : object->used_sides) uses += fmt::format("{}\"{}\"", uses.empty() ? "" : ", ", name_of(side));
   }
-  const Wall* slope = object == nullptr ? nullptr : wall_of_slope(layout, *object);  // it goes with its wall
+  const Wall* slope = object == nullptr ? nullptr : wall_of_slope(layout, *object, catalog);  // it goes with its wall
   const std::string wall = node.kind == NodeKind::kWall ? node.id : node.kind == NodeKind::kObject ? "" : node.parent;
   std::string text = fmt::format(
       "    {{\"id\": {}, \"category\": {}, \"name\": {}, \"kind\": \"{}\", \"collection\": {},\n"
@@ -234,7 +234,7 @@ std::string row(const Node& node, const Layout& layout, const Model& model, std:
 
 }  // namespace
 
-std::string write_blender_script(const Model& model, const Layout& layout, const RenderOptions& options) {
+std::string write_blender_script(const Model& model, const Layout& layout, const Catalog& catalog, const RenderOptions& options) {
   MeshBlock block;
   std::string shell =
       "# Floor, walls, ceiling, doors and windows; parts are (material, number of the mesh at the end of the file).\nSHELL = [\n";
@@ -243,17 +243,18 @@ std::string write_blender_script(const Model& model, const Layout& layout, const
   for (const Node& node : model.nodes) {
     std::vector<int> meshes;
     for (const Part& part : node.parts) meshes.push_back(block.add(part.mesh));
-    (node.kind == NodeKind::kObject ? objects : shell) += row(node, layout, model, meshes);
+    (node.kind == NodeKind::kObject ? objects : shell) += row(node, layout, catalog, model, meshes);
   }
-  std::string script = head(layout) + settings(layout, options);
+  std::string script = head(layout) + settings(layout, catalog, options);
   script += embedded::light_py;
   if (model.daylight < 1)
     script += fmt::format("for part in (\"sun\", \"sky\", \"beams\"):\n    LIGHT[part] *= {0}\nLIGHT[\"lamps\"] /= {0} * {0}\n",
                           number(model.daylight));
   script += "\n";
   script += room_tables(layout) + objects + "]\n\n" + failed_table(layout) + images_table(model) + materials_table(model) + shell + "]\n\n";
-  for (const std::string_view code : {embedded::geometry_py, embedded::materials_py, embedded::scene_py, embedded::render_py,
-                                      embedded::visibility_py, embedded::overlay_py, embedded::turntable_py, embedded::main_py}) {
+  for (const std::string_view code :
+       {embedded::geometry_py, embedded::nodes_py, embedded::materials_py, embedded::scene_py, embedded::render_py, embedded::visibility_py,
+        embedded::overlay_py, embedded::turntable_py, embedded::main_py}) {
     script += "\n";
     script += code;
   }

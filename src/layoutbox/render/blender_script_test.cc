@@ -63,7 +63,7 @@ Room2 small_room() {
 
 std::string script() {
   const Room2 room = small_room();
-  return write_blender_script(room.model, room.layout, {});
+  return write_blender_script(room.model, room.layout, Catalog::builtin(), {});
 }
 
 TEST(BlenderScript, NamesEveryObjectWithItsPlaceAndSize) {
@@ -84,7 +84,7 @@ TEST(BlenderScript, CarriesTheOptions) {
   options.quality = Quality::kFinal;
   options.save_blend = false;
   options.orthographic = false;
-  const std::string text = write_blender_script(room.model, room.layout, options);
+  const std::string text = write_blender_script(room.model, room.layout, Catalog::builtin(), options);
   EXPECT_THAT(text, HasSubstr("\"width\": 640, \"height\": 480"));
   EXPECT_THAT(text, HasSubstr("\"azimuth\": 30.0"));
   EXPECT_THAT(text, HasSubstr("\"orthographic\": False"));

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "layoutbox/base/result.h"
+#include "layoutbox/catalog/catalog.h"
 #include "layoutbox/furnish/model.h"
 #include "layoutbox/scene/layout.h"
 
@@ -34,7 +35,7 @@ enum class Corner { kBest, kNorthEast, kNorthWest, kSouthEast, kSouthWest };
 std::string_view name_of(Corner corner);
 std::optional<Corner> corner_from_name(std::string_view name);
 // Never kBest; the front right one (SE) where no other shows clearly more of what was asked for.
-Corner best_corner(const Layout& layout, double elevation_deg = 65);
+Corner best_corner(const Layout& layout, const Catalog& catalog, double elevation_deg = 65);
 
 struct RenderOptions {
   Quality quality = Quality::kPreview;
@@ -62,12 +63,12 @@ struct RenderOptions {
 };
 
 // The azimuth of iso for that layout, degrees.
-double azimuth_from(const Layout& layout, const RenderOptions& options);
+double azimuth_from(const Layout& layout, const Catalog& catalog, const RenderOptions& options);
 
 // The self-contained script: readable Python on top, the meshes in one compressed block at its end. Runs by itself:
 //   blender -b --python blender.py            (writes scene.blend and scene.png beside itself, or into the folder after `--`)
 //   python3 blender.py                        (a Python with the module bpy)
-std::string write_blender_script(const Model& model, const Layout& layout, const RenderOptions& options);
+std::string write_blender_script(const Model& model, const Layout& layout, const Catalog& catalog, const RenderOptions& options);
 
 // A Blender that works: how it is started and what it is.
 struct Blender {

@@ -7,8 +7,8 @@
 
 namespace layoutbox {
 
-const Wall* wall_of_slope(const Layout& layout, const PlacedObject& object) {
-  if (!Catalog::builtin().entry_or_nearest(object.category).is(Trait::kRoofSlope)) return nullptr;
+const Wall* wall_of_slope(const Layout& layout, const PlacedObject& object, const Catalog& catalog) {
+  if (!catalog.entry_or_nearest(object.category).is(Trait::kRoofSlope)) return nullptr;
   constexpr double kAt = 30;  // mm
   const double turn = radians_from_degrees(object.rotation_deg), half = object.size.depth / 2.0;
   const double x = object.position[0] - half * std::sin(turn), y = object.position[1] + half * std::cos(turn);

@@ -9,7 +9,7 @@ namespace {
 
 Result<std::string> script(const Layout& layout, const Catalog& catalog, const ExportOptions& options) {
   LAYOUTBOX_ASSIGN(const Model model, furnish(layout, catalog, options.furnish));
-  return write_blender_script(model, layout, {});
+  return write_blender_script(model, layout, catalog, {});
 }
 
 Result<std::string> json(const Layout& layout, const Catalog&, const ExportOptions&) { return write_layout(layout); }

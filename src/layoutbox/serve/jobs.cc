@@ -97,7 +97,7 @@ struct Jobs::State {
     LAYOUTBOX_ASSIGN(const Model model, furnish(layout, catalog));
     const std::filesystem::path place = folder / job.record.id;
     LAYOUTBOX_CHECK(make_folder(place));
-    LAYOUTBOX_CHECK(write_file(place / "blender.py", write_blender_script(model, layout, options)));
+    LAYOUTBOX_CHECK(write_file(place / "blender.py", write_blender_script(model, layout, catalog, options)));
     if (!blender) {
       LAYOUTBOX_ASSIGN(Blender found, find_blender());
       blender.emplace(std::move(found));

@@ -96,6 +96,7 @@ Interval room_extent(const Body& body, Axis axis);
 double turn_between(double a_deg, double b_deg);
 Vec2d front_of(const Body& body);
 
+inline constexpr double kSpacing = 0.01;    // m: two places on the 1 cm grid may differ by one step
 inline constexpr double kAngleSlack = 1.0;  // degrees
 inline constexpr double kLookAngle = 15.0;  // degrees
 

@@ -29,7 +29,7 @@ function change_text(change: Change, units: Units): string {
   const parts = change.what.map((what) => {
     if (what === "moved") return texts.edit.moved(length_text(change.metres, units));
     if (what === "turned") return texts.edit.turned(`${Math.abs(Math.round(change.degrees))}°`);
-    return texts.edit.what[what] ?? what;
+    return texts.edit.what[what];
   });
   return parts.join(", ");
 }

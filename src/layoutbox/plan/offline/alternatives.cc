@@ -42,15 +42,8 @@ class AlternativeReader : public TokenReader {
 
   // Past a thing with its article and what it is like, 0 where none is named there.
   std::size_t past_thing(std::size_t at) const {
-    constexpr std::size_t kAdjectives = 3;
-    const std::size_t last = at + (is_article(at) ? 1 : 0) + kAdjectives;
-    for (std::size_t i = at + (is_article(at) ? 1 : 0); i <= last && !ends(i); ++i) {
-      const Match match = lexicon_.find(tokens_, i);
-      const bool made_of = attribute_of(match) != nullptr && meaning_of(lexicon_.find(tokens_, i + 1), WordClass::kObject) != nullptr;
-      if (meaning_of(match, WordClass::kObject) != nullptr && !made_of) return i + match.length;
-      if (attribute_of(match) == nullptr && (match.length > 0 || lexicon_.find_phrase(tokens_, i).length > 0)) return 0;
-    }
-    return 0;
+    const std::optional<NamedThing> thing = thing_named_at(at);
+    return thing ? thing->last : 0;
   }
 
   // The words before `at` end in the name of a thing.

@@ -72,9 +72,6 @@ class Retakes : public TokenReader {
 
  private:
   static constexpr std::size_t kReachBack = 14;  // tokens
-  struct Named {
-    std::size_t first = 0, noun = 0, last = 0;  // its first word, that of its name, and where it ends
-  };
 
   // Where what is said instead begins, after all that takes back what was said; `at` itself where nothing does.
   std::size_t past_markers(std::size_t at) const {
@@ -119,22 +116,12 @@ class Retakes : public TokenReader {
     tokens_[to].number = tokens_[from].number;
   }
 
-  // The thing that is named from `at` on, with its article or number.
-  std::optional<Named> named_at(std::size_t at) const {
-    constexpr std::size_t kAdjectives = 3;
-    if (!is_article(at)) return std::nullopt;
-    for (std::size_t noun = at + 1; noun <= at + 1 + kAdjectives && !ends(noun); ++noun) {
-      const Match match = lexicon_.find(tokens_, noun);
-      if (meaning_of(match, WordClass::kObject) != nullptr) return Named{at, noun + match.length - 1, noun + match.length};
-      if (attribute_of(match) == nullptr && (match.length > 0 || lexicon_.find_phrase(tokens_, noun).length > 0)) break;
-    }
-    return std::nullopt;
-  }
+  std::optional<NamedThing> thing_with_article(std::size_t at) const { return is_article(at) ? thing_named_at(at) : std::nullopt; }
 
   // The thing that was named last before `marker`, or that of the same name.
-  std::optional<Named> named_before(std::size_t marker, std::string_view name) const {
+  std::optional<NamedThing> named_before(std::size_t marker, std::string_view name) const {
     for (std::size_t at = marker - 1; at > 0 && at + kReachBack > marker; --at) {
-      const std::optional<Named> named = named_at(at - 1);
+      const std::optional<NamedThing> named = thing_with_article(at - 1);
       if (named && named->last < marker && (name.empty() || singular_of(tokens_[named->noun].text) == name)) return named;
     }
     return std::nullopt;
@@ -142,12 +129,12 @@ class Retakes : public TokenReader {
 
   // "…, no, sorry, one armchair": instead of what was named right before, or as many of what is called the same.
   void take_thing(std::size_t marker, std::size_t at) {
-    const std::optional<Named> now = named_at(at);
+    const std::optional<NamedThing> now = thing_with_article(at);
     if (!now || is(now->last, {"too", "also", "as", "instead"})) return;
     const bool parted = tokens_[marker - 1].kind == Token::Kind::kPunctuation;
     const std::size_t sign = parted ? marker - 1 : marker;
-    const std::optional<Named> same = named_before(marker, singular_of(tokens_[now->noun].text));
-    const std::optional<Named> last = tokens_[sign].ends_sentence ? same : named_before(marker, {});
+    const std::optional<NamedThing> same = named_before(marker, singular_of(tokens_[now->noun].text));
+    const std::optional<NamedThing> last = tokens_[sign].ends_sentence ? same : named_before(marker, {});
     if (last && last->last == sign) {
       leave_out(last->first, at);
       if (is(now->last, {")"})) leave_out(now->last, now->last + 1);

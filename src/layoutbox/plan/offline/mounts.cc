@@ -24,8 +24,7 @@ bool is_beside(R type) {
 // What it is on a wall, where that is another kind: a shelf is a board there, a rug or a quilt a tapestry. Else null.
 const CatalogEntry* RelationBuilder::wall_kind(const NounPhrase& noun) const {
   if (!noun.exact || mount_of(noun) == Mount::kWall) return nullptr;
-  const CatalogEntry* entry = catalog_.find("wall_" + noun.entry->id);
-  if (entry == nullptr) entry = catalog_.find(on_wall_entry(noun.entry->id));
+  const CatalogEntry* entry = kind_at(catalog_, noun.entry->id, Place::kOnWall);
   const bool cloth = noun.entry->thin || catalog_.is_a(noun.entry->id, "blanket");
   return entry == nullptr && cloth ? catalog_.find("tapestry") : entry;
 }
@@ -116,7 +115,7 @@ void RelationBuilder::make_room_between() {
     if (middle == scene_.objects.end()) continue;
     const NounPhrase& thing = noun_of_object(*middle);
     if (thing.entry == nullptr || mount_of(thing) != Mount::kFloor) continue;
-    const CatalogEntry* small = catalog_.find("side_" + thing.entry->id);
+    const CatalogEntry* small = kind_at(catalog_, thing.entry->id, Place::kBetweenSeats);
     const bool easy = std::ranges::all_of(between.references, [&](const std::string& id) {
       const SceneObject* seat = object_of(id);
       const CatalogEntry* entry = seat == nullptr ? nullptr : noun_of_object(*seat).entry;
@@ -159,12 +158,13 @@ void RelationBuilder::settle_on_wall(SceneObject& object, const NounPhrase& noun
 bool RelationBuilder::settle_on_floor(SceneObject& object, const NounPhrase& noun) {
   const auto says = [&](std::string_view word) { return std::ranges::find(noun.attributes, word) != noun.attributes.end(); };
   const bool floor = noun.name.starts_with("floor ") || says("floor-standing") || says("freestanding") || says("free-standing");
-  const bool cushion = noun.exact && noun.entry->id == "pillow" && std::ranges::any_of(relations_of(object.id), [&](std::size_t r) {
-                         const Relation& relation = scene_.relations[r];
-                         const bool below = relation.type == R::kUnder || relation.type == R::kTuckedUnder;  // in a den
-                         return traits_of(relation.type).around || (below && relation.targets.front() == object.id);
-                       });
-  if (mount_of(noun) != Mount::kSurface || (!floor && !cushion)) return false;
+  const CatalogEntry* form = noun.exact && noun.entry->is(Trait::kKeptLow) ? kind_at(catalog_, noun.entry->id, Place::kOnFloor) : nullptr;
+  const bool low = form != nullptr && std::ranges::any_of(relations_of(object.id), [&](std::size_t r) {
+                     const Relation& relation = scene_.relations[r];
+                     const bool below = relation.type == R::kUnder || relation.type == R::kTuckedUnder;  // in a den
+                     return traits_of(relation.type).around || (below && relation.targets.front() == object.id);
+                   });
+  if (mount_of(noun) != Mount::kSurface || (!floor && !low)) return false;
   const auto is_on = [&](const Relation& r) { return r.type == R::kOn && std::ranges::find(r.targets, object.id) != r.targets.end(); };
   for (const std::size_t r : relations_of(object.id)) {
     if (is_on(scene_.relations[r]) && scene_.relations[r].origin == Origin::kAsked) return false;
@@ -175,7 +175,7 @@ bool RelationBuilder::settle_on_floor(SceneObject& object, const NounPhrase& nou
     relation.hard = false;
   }
   object.mount = Mount::kFloor;
-  if (cushion) object.category = "floor_cushion";
+  if (low) object.category = form->id;
   return true;
 }
 
@@ -210,7 +210,8 @@ void RelationBuilder::settle_mount(std::size_t index) {
   }
   if (held.ceiling || over) {
     object.mount = Mount::kCeiling;
-    const CatalogEntry* form = noun.exact && noun.entry->mount != Mount::kCeiling ? catalog_.find("ceiling_" + noun.entry->id) : nullptr;
+    const CatalogEntry* form =
+        noun.exact && noun.entry->mount != Mount::kCeiling ? kind_at(catalog_, noun.entry->id, Place::kOnCeiling) : nullptr;
     if (form != nullptr) {
       object.category = form->id;
     } else if (is_lamp(catalog_, noun) && mount_of(noun) != Mount::kCeiling)
@@ -230,7 +231,8 @@ void RelationBuilder::settle_mount(std::size_t index) {
   if (held.supported && mount_of(noun) == Mount::kFloor && is_carried(object.id)) {
     // A plant on a shelf is a small one.
     object.mount = Mount::kSurface;
-    if (noun.exact && catalog_.find("small_" + noun.entry->id) != nullptr) object.category = "small_" + noun.entry->id;
+    const CatalogEntry* form = noun.exact ? kind_at(catalog_, noun.entry->id, Place::kOnThing) : nullptr;
+    if (form != nullptr) object.category = form->id;
     return;
   }
   if (held.supported || mount_of(noun) != Mount::kSurface || !held.beside) return;
@@ -238,8 +240,8 @@ void RelationBuilder::settle_mount(std::size_t index) {
   object.mount = Mount::kFloor;
   object.mount_assumed = true;
   // "a lamp", "a reading lamp behind the armchair"
-  const std::string form = noun.entry == nullptr ? "" : "floor_" + noun.entry->id;
-  if (is_lamp(catalog_, noun) && catalog_.find(form) != nullptr) specialise(object, noun, {form.c_str()});
+  const CatalogEntry* form = noun.exact && is_lamp(catalog_, noun) ? kind_at(catalog_, noun.entry->id, Place::kOnFloor) : nullptr;
+  if (form != nullptr) object.category = form->id;
 }
 
 bool RelationBuilder::over_table(const std::string& object) const {

@@ -90,7 +90,7 @@ void RelationBuilder::let_into_tops() {
 void RelationBuilder::let_in(int m, const CatalogEntry& host) {
   Mention& thing = document_.mentions[static_cast<std::size_t>(m)];
   if (thing.noun.entry == nullptr) return;
-  const CatalogEntry* form = catalog_.find(set_in_entry(thing.noun.entry->id));
+  const CatalogEntry* form = kind_at(catalog_, thing.noun.entry->id, Place::kSetIn);
   const auto fits = [&](const std::string& id) { return catalog_.is_a(host.id, id); };
   if (form != nullptr && std::ranges::none_of(form->stands_on, fits)) form = nullptr;
   // "a shelf with bins", "a desk with two screens"

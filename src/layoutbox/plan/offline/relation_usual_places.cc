@@ -1,6 +1,7 @@
 // Where single things usually are that the text puts somewhere: under counters, at doors, in windows, along walls.
 #include <algorithm>
 
+#include "layoutbox/catalog/kin.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
@@ -107,7 +108,7 @@ void RelationBuilder::park_cars() {
   });
   std::string first;
   for (const SceneObject& object : scene_.objects) {
-    if (object.category != "car") continue;
+    if (!catalog_.entry_or_nearest(object.category).is(Trait::kParked)) continue;
     if (first.empty() && door != scene_.room.openings.end())
       add_habit(R::kFacing, {object.id}, {door->id}, kTogether, "cars leave by the garage door");
     if (!first.empty()) add_habit(R::kSameOrientation, {object.id}, {first}, kTogether, "cars are parked side by side");
@@ -152,7 +153,7 @@ void RelationBuilder::seat_in_windows() {
              });
     };
     const bool elsewhere = is_placed(static_cast<int>(i)) && std::ranges::none_of(relations_of(id(static_cast<int>(i))), at_wall_of_window);
-    if (!one_of(scene_.objects[i].category, {"window_seat"}) || elsewhere) continue;
+    if (!catalog_.entry_or_nearest(scene_.objects[i].category).is(Trait::kInWindow) || elsewhere) continue;
     add_habit(R::kUnderWindow, {scene_.objects[i].id}, {}, kTogether, "a window seat is in the window");
   }
 }
@@ -210,8 +211,10 @@ void RelationBuilder::hang_bed_curtains() {
     const auto rod = round ? std::ranges::find(scene_.objects, relation.targets[0], &SceneObject::id) : scene_.objects.end();
     const SceneObject* bed = round ? object_of(relation.references[0]) : nullptr;
     const CatalogEntry* entry = bed == nullptr ? nullptr : noun_of_object(*bed).entry;
-    if (rod == scene_.objects.end() || rod->category != "curtain_rod" || entry == nullptr || !entry->is(Trait::kBed)) continue;
-    rod->category = "privacy_curtain";
+    if (rod == scene_.objects.end() || entry == nullptr || !entry->is(Trait::kBed)) continue;
+    const CatalogEntry* form = kind_at(catalog_, rod->category, Place::kAroundBed);
+    if (form == nullptr) continue;
+    rod->category = form->id;
     relation.type = R::kNextTo;
   }
 }

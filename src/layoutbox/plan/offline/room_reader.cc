@@ -6,6 +6,7 @@
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/normalize.h"
 #include "layoutbox/catalog/opening_look.h"
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
 #include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/offline/word_sets.h"
@@ -299,7 +300,7 @@ std::string wall_of_thing(const Document& document, int mention) {
 std::string wall_of_seat_in_window(const Document& document) {
   for (std::size_t m = 0; m < document.mentions.size(); ++m) {
     const CatalogEntry* entry = document.mentions[m].noun.entry;
-    if (entry == nullptr || entry->id != "window_seat") continue;
+    if (entry == nullptr || !entry->is(Trait::kInWindow)) continue;
     if (const std::string wall = wall_of_thing(document, static_cast<int>(m)); !wall.empty()) return wall;
   }
   return {};

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -34,6 +35,12 @@ class TokenReader {
   }
   bool ends(std::size_t at) const { return at >= tokens_.size() || tokens_[at].kind == Token::Kind::kPunctuation; }
   bool begins(std::size_t at) const { return at == 0 || tokens_[at - 1].ends_sentence; }
+  // A thing that is named with its article or number and what it is like: the first word, that of its name, and where it ends.
+  struct NamedThing {
+    std::size_t first = 0, noun = 0, last = 0;
+  };
+  // What is named from `at` on; of "a glass table" the table.
+  std::optional<NamedThing> thing_named_at(std::size_t at) const;
   void leave_out(std::size_t first, std::size_t last) {
     std::fill(skip_.begin() + static_cast<std::ptrdiff_t>(first), skip_.begin() + static_cast<std::ptrdiff_t>(last), true);
   }
