@@ -296,7 +296,7 @@ class Companions {
     int added = 0;
     for (const auto& [id, usual] : kind->usual) {
       const CatalogEntry* entry = catalog_.find(id);
-      if (entry == nullptr || spoken_.of(*entry) || has_kind(id)) continue;
+      if (entry == nullptr || spoken_.of(*entry) || has_kind(id) || spoken_.keeps_off(id, "", scene_.room.type)) continue;
       const auto is_there = [&](const std::string& other) { return has_kind(other); };
       const bool lacks_host = entry->mount == Mount::kSurface && std::ranges::none_of(entry->stands_on, is_there);
       const bool lacks_table = entry->is(Trait::kTableSeat) && std::ranges::none_of(entry->beside, is_there);
