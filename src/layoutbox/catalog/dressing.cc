@@ -69,7 +69,8 @@ Dressings read_dressings() {
   dressings.dressed = names_in(data, "dressed");
   dressings.rehung = names_in(data, "rehung");
   for (const auto& theme : data.at("themes")) {
-    dressings.themes.push_back({names_in(theme, "said", sets), names_in(theme, "rooms", sets), names_in(theme, "without", sets), names_in(theme, "places")});
+    dressings.themes.push_back(
+        {names_in(theme, "said", sets), names_in(theme, "rooms", sets), names_in(theme, "without", sets), names_in(theme, "places")});
   }
   for (const auto& form : data.at("kitchenForms")) {
     dressings.kitchen_forms.push_back({form.at("form").get<std::string>(), names_in(form, "words")});

@@ -45,7 +45,7 @@ struct Dressings {
   std::vector<Dressing> rows;  // in this order
   std::vector<DressingTheme> themes;
   std::vector<std::string> dressed;  // words by which all grades come
-  std::vector<std::string> rehung;  // kinds that hang anywhere in view where nothing says where
+  std::vector<std::string> rehung;   // kinds that hang anywhere in view where nothing says where
   std::vector<KitchenForm> kitchen_forms;
 
   static const Dressings& builtin();

@@ -40,7 +40,9 @@ bool is_among(const std::vector<std::string>& list, const std::string& one) { re
 bool is_wanted(const Dresser& dresser, const Dressing& row) {
   const Room& room = dresser.layout().room;
   const CatalogEntry* kind = dresser.catalog().find(row.adds);
-  if (kind == nullptr || dresser.spoken().keeps_off(row.adds, row.place, room.type) || !is_among(row.rooms, room.type) || m2_of(room) < row.area_m2) return false;
+  if (kind == nullptr || dresser.spoken().keeps_off(row.adds, row.place, room.type) || !is_among(row.rooms, room.type) ||
+      m2_of(room) < row.area_m2)
+    return false;
   if ((!row.said.empty() && !dresser.spoken().says_any(row.said)) || dresser.spoken().says_any(row.unsaid)) return false;
   if (dresser.spoken().says_enough_for(row)) return false;
   if (std::ranges::any_of(row.unless, [&](const std::string& id) { return dresser.is_there(id); })) return false;

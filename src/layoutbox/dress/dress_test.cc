@@ -243,7 +243,8 @@ TEST(Dress, WhatIsPlainOrClearStaysSo) {
   EXPECT_THAT(come("a plain living room"), Not(Contains(testing::AnyOf("painting", "rug", "plant", "vase"))));
   EXPECT_THAT(come("a living room, nothing on the walls"), testing::AllOf(Not(Contains("painting")), Contains("rug")));
   EXPECT_THAT(come("a living room, earth floor"), testing::AllOf(Contains("painting"), Not(Contains("rug"))));
-  EXPECT_THAT(come("a living room, nothing on the surfaces"), testing::AllOf(Contains("rug"), Not(Contains(testing::AnyOf("mug", "book")))));
+  EXPECT_THAT(come("a living room, nothing on the surfaces"),
+              testing::AllOf(Contains("rug"), Not(Contains(testing::AnyOf("mug", "book")))));
 }
 
 TEST(Dress, TheDataNamesWhatIsThere) {
