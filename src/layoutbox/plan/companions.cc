@@ -210,6 +210,7 @@ class Companions {
   void add_by(const Companion& companion) {
     const CatalogEntry* kind = catalog_.find(companion.adds);
     if (kind == nullptr || !in_rooms(companion.rooms) || spoken_.of(*kind) || has_kind(companion.adds)) return;
+    if (spoken_.keeps_off(companion.adds, "", scene_.room.type)) return;
     const auto named = [&](const std::string& other) {
       return std::ranges::any_of(named_, [&](std::size_t i) { return catalog_.is_a(scene_.objects[i].category, other); });
     };
