@@ -106,14 +106,18 @@ std::size_t Chunker::look_begins() const {
 bool Chunker::read_look() {
   if (previous() != ChunkKind::kNoun || chunks_.empty() || chunks_.back().last != i_) return false;
   NounPhrase& noun = chunks_.back().noun;
-  if (noun.kind != NounKind::kObject && noun.kind != NounKind::kDoor && noun.kind != NounKind::kWindow) return false;
+  if (noun.kind != NounKind::kObject && noun.kind != NounKind::kPart && noun.kind != NounKind::kDoor && noun.kind != NounKind::kWindow)
+    return false;
   const std::size_t from = look_begins();
   if (from == 0) return false;
   const Look look = LookReader(lexicon_, tokens_).read(from);
   const bool of = tokens_[i_].text == "of" || tokens_[i_].text == "from";  // "a bed of gold", but "a jar of honey"
   const bool stuff = std::ranges::any_of(look.classes, [](WordClass c) { return c == WordClass::kMaterial; });
   if (look.last == 0 || (of && !stuff && !one_of(look.words.back(), {"gold", "silver"}))) return false;
-  const auto longer = read_noun_phrase(lexicon_, tokens_, from, true);
+  // "in a black, glass cabinet"; "in teal velvet, walnut tv unit" goes on with another thing
+  const bool parted =
+      look.last < tokens_.size() && tokens_[look.last].text == "," && !lexicon_.is(tokens_[from - 1], WordClass::kIndefinite);
+  const auto longer = parted ? std::nullopt : read_noun_phrase(lexicon_, tokens_, from, true);
   if (longer && longer->last > look.last) return false;
   noun.attributes.insert(noun.attributes.end(), look.words.begin(), look.words.end());
   noun.attribute_classes.resize(noun.attributes.size() - look.words.size(), WordClass::kQuality);

@@ -385,8 +385,9 @@ void NounPhraseReader::settle_listed(std::size_t head) {
   }
   const bool new_here = counted_ || part.plural || phrase_.determiner == Determiner::kIndefinite;
   const bool quality = meaning_of(lexicon_.find(tokens_.first(part.last), part.first), WordClass::kAbstract) != nullptr;  // "light colors"
+  const bool leg = one_of(singular_of(tokens_[part.last - 1].text), {"leg", "foot"});  // "hairpin legs" are what a thing stands on
   if (part.word_class == WordClass::kPart && new_here && !quality &&
-      (part.meaning.entry != nullptr || is_compound(head) || counts_things(part))) {
+      (part.meaning.entry != nullptr || (is_compound(head) && !leg) || counts_things(part))) {
     const NounPhrase opened = phrase_;
     settle_object(part.meaning.entry != nullptr ? part : as_thing, head);
     auto object = std::make_shared<NounPhrase>(phrase_);

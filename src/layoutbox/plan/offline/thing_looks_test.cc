@@ -32,6 +32,8 @@ TEST(ThingLooks, AreSaidBehindThem) {
            {"A rug in black and white under the table.", "rug", {"black", "white"}},
            {"A table in dark walnut with four chairs.", "table", {"dark walnut"}},
            {"A lamp in a deep green.", "lamp", {"deep green"}},
+           {"A sofa in teal velvet, walnut TV unit and a lamp.", "sofa", {"teal", "velvet"}},
+           {"A mirror framed in gold.", "mirror", {"gold"}},
            {"A vase in a glass cabinet.", "vase", {}},
        })
     EXPECT_EQ(look_of(c.text, c.thing), c.look) << c.text;
@@ -41,6 +43,7 @@ TEST(ThingLooks, AreThoseOfThePartsThatShow) {
   for (const LookCase& c : std::vector<LookCase>{
            {"A chair with a red seat and chrome legs.", "chair", {"red"}},
            {"A bed with a blue headboard.", "bed", {"blue"}},
+           {"A bed with a headboard in navy velvet.", "bed", {"navy", "velvet"}},
            {"A white desk with a black top.", "desk", {"white"}},
            {"A table with black legs.", "table", {}},
        })
