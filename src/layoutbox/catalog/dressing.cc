@@ -31,9 +31,19 @@ Names names_in(const nlohmann::json& value, const char* key, const Sets& sets) {
   return names;
 }
 
+// Each kind's grade: of how many kinds of things a text may speak so that it comes.
+std::map<std::string, int> grades_in(const nlohmann::json& data) {
+  std::map<std::string, int> few;
+  for (const auto& grade : data.at("grades")) {
+    for (const std::string& kind : names_in(grade, "adds")) few[kind] = grade.at("few").get<int>();
+  }
+  return few;
+}
+
 Dressings read_dressings() {
   const auto data = nlohmann::json::parse(embedded::dress_json);
   const auto sets = data.at("sets").get<Sets>();
+  const auto grades = grades_in(data);
   Dressings dressings;
   for (const auto& row : data.at("rows")) {
     Dressing dressing;
@@ -53,12 +63,14 @@ Dressings read_dressings() {
     dressing.stretch = length_in(row, "stretch");
     dressing.before = length_in(row, "before");
     dressing.area_m2 = row.value("area", 0.0);
-    dressing.few = row.value("few", 0);
+    if (const auto grade = grades.find(dressing.adds); grade != grades.end()) dressing.few = grade->second;
     dressings.rows.push_back(std::move(dressing));
   }
+  dressings.dressed = names_in(data, "dressed");
   dressings.rehung = names_in(data, "rehung");
   for (const auto& theme : data.at("themes")) {
-    dressings.themes.push_back({names_in(theme, "said", sets), names_in(theme, "rooms", sets), names_in(theme, "without")});
+    dressings.themes.push_back(
+        {names_in(theme, "said", sets), names_in(theme, "rooms", sets), names_in(theme, "without", sets), names_in(theme, "places")});
   }
   for (const auto& form : data.at("kitchenForms")) {
     dressings.kitchen_forms.push_back({form.at("form").get<std::string>(), names_in(form, "words")});

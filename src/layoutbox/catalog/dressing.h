@@ -27,7 +27,7 @@ struct Dressing {
   Mm stretch = 0;                     // so much wall must be free
   Mm before = 0;                      // so much floor stays free before it
   double area_m2 = 0;                 // not in smaller rooms
-  int few = 0;                        // not where the text asks for more kinds of things than that; 0: however many
+  int few = 0;                        // not where the text asks for more kinds of things than that (its grade); 0: however many
 };
 
 // How the units of a kitchen are arranged, and by which words a text says so.
@@ -36,15 +36,16 @@ struct KitchenForm {
   std::vector<std::string> words;
 };
 
-// What does not come to a room of which one of these words is said, or of one of these kinds.
+// What does not come, and the places at which nothing does, to a room of which one of these words is said, or of one of these kinds.
 struct DressingTheme {
-  std::vector<std::string> said, rooms, without;
+  std::vector<std::string> said, rooms, without, places;
 };
 
 struct Dressings {
   std::vector<Dressing> rows;  // in this order
   std::vector<DressingTheme> themes;
-  std::vector<std::string> rehung;  // kinds that hang anywhere in view where nothing says where
+  std::vector<std::string> dressed;  // words by which all grades come
+  std::vector<std::string> rehung;   // kinds that hang anywhere in view where nothing says where
   std::vector<KitchenForm> kitchen_forms;
 
   static const Dressings& builtin();

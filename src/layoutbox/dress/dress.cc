@@ -37,19 +37,14 @@ double m2_of(const Room& room) { return double(doubled_area(room.polygon)) / 2e6
 
 bool is_among(const std::vector<std::string>& list, const std::string& one) { return std::ranges::find(list, one) != list.end(); }
 
-// No pot plants in ruins, no prints in a dungeon.
-bool is_out_of_theme(const Dresser& dresser, const std::string& kind) {
-  return std::ranges::any_of(Dressings::builtin().themes, [&](const DressingTheme& theme) {
-    return is_among(theme.without, kind) && (dresser.spoken().says_any(theme.said) || is_among(theme.rooms, dresser.layout().room.type));
-  });
-}
-
 bool is_wanted(const Dresser& dresser, const Dressing& row) {
   const Room& room = dresser.layout().room;
   const CatalogEntry* kind = dresser.catalog().find(row.adds);
-  if (kind == nullptr || is_out_of_theme(dresser, row.adds) || !is_among(row.rooms, room.type) || m2_of(room) < row.area_m2) return false;
+  if (kind == nullptr || dresser.spoken().keeps_off(row.adds, row.place, room.type) || !is_among(row.rooms, room.type) ||
+      m2_of(room) < row.area_m2)
+    return false;
   if ((!row.said.empty() && !dresser.spoken().says_any(row.said)) || dresser.spoken().says_any(row.unsaid)) return false;
-  if (row.few > 0 && dresser.spoken().kinds_asked() > row.few) return false;  // who says so much wants that and not a clock besides
+  if (dresser.spoken().says_enough_for(row)) return false;
   if (std::ranges::any_of(row.unless, [&](const std::string& id) { return dresser.is_there(id); })) return false;
   if (row.unspoken.empty()) return !dresser.spoken().of(*kind);
   const bool lifted = dresser.spoken().says_any(row.lifted);  // "cabinets" of a kitchen are what is added

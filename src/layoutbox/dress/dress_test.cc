@@ -230,7 +230,21 @@ TEST(Dress, WhoNamesManyThingsGetsNoClockBesides) {
   DressedRoom many("office", 5, 4);
   many.put("desk", 2.5, 3.6, 180).put("office_chair", 2.5, 2.8, 0).put("armchair", 4.3, 0.6, 90).put("sofa", 4.4, 2.4, 90);
   many.put("bookshelf", 0.4, 3.7, 180).put("printer", 2.5, 3.6, 0).put("trash_can", 1.4, 3.7, 0);
-  EXPECT_THAT(many.dress(), Not(Contains(testing::AnyOf("calendar", "clock", "whiteboard"))));
+  EXPECT_THAT(many.dress(), Not(Contains(testing::AnyOf("calendar", "clock", "whiteboard", "painting", "plant"))));
+}
+
+TEST(Dress, WhatIsPlainOrClearStaysSo) {
+  const auto come = [](const std::string& prompt) {
+    DressedRoom room("living_room", 5, 4.2, prompt);
+    room.put("sofa", 2.5, 4.2 - 0.45, 0).put("coffee_table", 2.5, 2.6, 0).put("sideboard", 0.4, 2, 270);
+    return room.dress();
+  };
+  EXPECT_THAT(come("a living room"), testing::AllOf(Contains("painting"), Contains("rug"), Contains("mug")));
+  EXPECT_THAT(come("a plain living room"), Not(Contains(testing::AnyOf("painting", "rug", "plant", "vase"))));
+  EXPECT_THAT(come("a living room, nothing on the walls"), testing::AllOf(Not(Contains("painting")), Contains("rug")));
+  EXPECT_THAT(come("a living room, earth floor"), testing::AllOf(Contains("painting"), Not(Contains("rug"))));
+  EXPECT_THAT(come("a living room, nothing on the surfaces"),
+              testing::AllOf(Contains("rug"), Not(Contains(testing::AnyOf("mug", "book")))));
 }
 
 TEST(Dress, TheDataNamesWhatIsThere) {
@@ -246,6 +260,10 @@ TEST(Dress, TheDataNamesWhatIsThere) {
     }
     EXPECT_FALSE(row.rooms.empty()) << row.adds;
     EXPECT_GT(row.most, 0) << row.adds;
+  }
+  for (const DressingTheme& theme : Dressings::builtin().themes) {
+    for (const std::string& kind : theme.without) EXPECT_TRUE(exists(kind)) << kind;
+    for (const std::string& place : theme.places) EXPECT_NE(dressing::find_place(place), nullptr) << place;
   }
 }
 

@@ -188,6 +188,10 @@ class Companions {
     return std::ranges::find(relation.targets, id) != relation.targets.end();
   }
 
+  bool has_bed() const {
+    return std::ranges::any_of(scene_.objects, [&](const SceneObject& o) { return catalog_.entry_or_nearest(o.category).is(Trait::kBed); });
+  }
+
   // Of the kinds that such a thing stands on the first that is usual in the room or goes with what is there, else the smallest.
   const CatalogEntry* usual_host(const CatalogEntry& thing, const Size& size) const {
     const CatalogEntry* smallest = nullptr;
@@ -195,7 +199,7 @@ class Companions {
     for (const std::string& id : thing.stands_on) {
       const CatalogEntry* host = catalog_.find(id);
       if (host == nullptr || host->mount != Mount::kFloor || host->is(Trait::kBed) || area(host->size.usual) <= area(size)) continue;
-      if (spoken_.of(*host)) continue;
+      if (spoken_.of(*host) || (host->is(Trait::kBedside) && !has_bed())) continue;
       const bool goes = std::ranges::any_of(host->beside, [&](const std::string& other) { return has_kind(other); });
       if (goes || (!scene_.room.type.empty() && std::ranges::find(host->rooms, scene_.room.type) != host->rooms.end())) return host;
       if (smallest == nullptr || area(host->size.usual) < area(smallest->size.usual)) smallest = host;
@@ -206,6 +210,7 @@ class Companions {
   void add_by(const Companion& companion) {
     const CatalogEntry* kind = catalog_.find(companion.adds);
     if (kind == nullptr || !in_rooms(companion.rooms) || spoken_.of(*kind) || has_kind(companion.adds)) return;
+    if (spoken_.keeps_off(companion.adds, "", scene_.room.type)) return;
     const auto named = [&](const std::string& other) {
       return std::ranges::any_of(named_, [&](std::size_t i) { return catalog_.is_a(scene_.objects[i].category, other); });
     };
@@ -296,7 +301,7 @@ class Companions {
     int added = 0;
     for (const auto& [id, usual] : kind->usual) {
       const CatalogEntry* entry = catalog_.find(id);
-      if (entry == nullptr || spoken_.of(*entry) || has_kind(id)) continue;
+      if (entry == nullptr || spoken_.of(*entry) || has_kind(id) || spoken_.keeps_off(id, "", scene_.room.type)) continue;
       const auto is_there = [&](const std::string& other) { return has_kind(other); };
       const bool lacks_host = entry->mount == Mount::kSurface && std::ranges::none_of(entry->stands_on, is_there);
       const bool lacks_table = entry->is(Trait::kTableSeat) && std::ranges::none_of(entry->beside, is_there);

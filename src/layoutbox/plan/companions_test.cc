@@ -42,6 +42,13 @@ TEST(Companions, SeatsComeWithDesksAndTables) {
   EXPECT_EQ(count_of(added_to("A bedroom with a bed, a wardrobe and a dressing table."), "vanity_stool"), 1);
 }
 
+TEST(Companions, NothingOutOfThemeAndNothingFromAnotherRoom) {
+  EXPECT_EQ(count_of(added_to("A barracks room with two bunk beds and a table."), "table_lamp"), 0);
+  EXPECT_TRUE(added_to("A bare cell with a bed and a chair.").empty());
+  EXPECT_TRUE(added_to("A room with as little as possible: a bed and a chair.").empty());
+  EXPECT_EQ(count_of(added_to("A meeting room with a whiteboard and two glasses below it."), "nightstand"), 0);
+}
+
 TEST(Companions, DesksHaveTheirChairsBesideThoseOfAnotherTable) {
   EXPECT_EQ(count_of(added_to("A home office with two desks facing each other and a meeting table with four chairs."), "office_chair"), 2);
   EXPECT_EQ(count_of(added_to("A bedroom with a bed, a desk and a chair."), "office_chair"), 0);

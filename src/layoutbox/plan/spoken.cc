@@ -56,6 +56,17 @@ int Spoken::kinds_asked() const {
   return static_cast<int>(kinds.size());
 }
 
+bool Spoken::says_enough_for(const Dressing& habit) const {
+  return habit.few > 0 && kinds_asked() > habit.few && !says_any(Dressings::builtin().dressed);
+}
+
+bool Spoken::keeps_off(const std::string& kind, const std::string& place, const std::string& room) const {
+  const auto has = [](const std::vector<std::string>& list, const std::string& one) { return std::ranges::find(list, one) != list.end(); };
+  return std::ranges::any_of(Dressings::builtin().themes, [&](const DressingTheme& theme) {
+    return (has(theme.without, kind) || has(theme.places, place)) && (says_any(theme.said) || has(theme.rooms, room));
+  });
+}
+
 bool Spoken::says_any(const std::vector<std::string>& phrases) const {
   return std::ranges::any_of(phrases, [&](const std::string& phrase) { return says(said_, phrase); });
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "layoutbox/catalog/catalog.h"
+#include "layoutbox/catalog/dressing.h"
 #include "layoutbox/catalog/groups.h"
 #include "layoutbox/scene/scene_graph.h"
 
@@ -25,14 +26,17 @@ class Spoken {
   bool of_just(const CatalogEntry& kind) const;
   // It asks for that kind or a special one, or it wants none: "chairs" are no office chairs, and those of "a table for four" not asked for.
   bool names(const CatalogEntry& kind) const;
-  // Of how many kinds it asks for things.
-  int kinds_asked() const;
+  // It asks for so many kinds of things that it wants those, and not what such a habit adds.
+  bool says_enough_for(const Dressing& habit) const;
+  // No pot plants in ruins, no prints in a dungeon, nothing on tops that are said to be clear. `place`: as in dress.json.
+  bool keeps_off(const std::string& kind, const std::string& place, const std::string& room) const;
   // One of the phrases stands in the text, word for word.
   bool says_any(const std::vector<std::string>& phrases) const;
   // "Nothing else", "an empty room"; but not "an empty room, please furnish".
   bool wants_no_more(const Groups& groups) const;
 
  private:
+  int kinds_asked() const;
   bool excludes(const CatalogEntry& kind) const;
   bool akin(const std::string& a, const std::string& b) const { return catalog_->is_a(a, b) || catalog_->is_a(b, a); }
 

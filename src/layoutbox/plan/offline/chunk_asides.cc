@@ -48,23 +48,6 @@ bool Chunker::read_such_as() {
   return true;
 }
 
-// "a table from glass", "a bed of gold", "a chair in velvet": what it is made of comes next.
-bool Chunker::read_stuff() {
-  static constexpr std::array<std::string_view, 3> kMade = {"of", "from", "in"};
-  if (std::ranges::find(kMade, tokens_[i_].text) == kMade.end() || previous() != ChunkKind::kNoun ||
-      chunks_.back().noun.kind != NounKind::kObject)
-    return false;
-  if (i_ + 1 >= tokens_.size()) return false;
-  const Match material = lexicon_.find(tokens_, i_ + 1, WordClass::kMaterial);
-  const Match stuff =
-      material.length > 0 || tokens_[i_].text != "of" ? material : lexicon_.find(tokens_, i_ + 1, WordClass::kColor);  // gold
-  if (stuff.length == 0 || chunks_.back().last != i_) return false;
-  const auto noun = read_noun_phrase(lexicon_, tokens_, i_ + 1, true);  // "a vase in a glass cabinet"
-  if (noun && noun->last > i_ + 1 + stuff.length) return false;
-  add(ChunkKind::kIgnored, 1);
-  return true;
-}
-
 // "…, that I may watch the street": what for.
 bool Chunker::read_that_may() {
   static constexpr std::array<std::string_view, 5> kMay = {"may", "might", "can", "could", "should"};

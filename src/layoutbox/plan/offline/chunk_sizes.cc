@@ -279,6 +279,9 @@ bool Chunker::read_size_chunk() {
   }
   constexpr double kFewestCentimetres = 30;  // "a bed (140x200)"
   if (unit == 0 && values.size() > 1 && *std::min_element(values.begin(), values.end()) >= kFewestCentimetres) unit = 0.01;
+  constexpr double kMostMetres = 5;  // "BED 1.6x2.0", "a rug 2 x 3"
+  const bool of_one = previous() == ChunkKind::kNoun && chunks_.back().noun.kind == NounKind::kObject && !chunks_.back().noun.plural;
+  if (unit == 0 && values.size() > 1 && of_one && *std::max_element(values.begin(), values.end()) <= kMostMetres) unit = 1;
   if (values.size() < 2 || unit == 0 || noun_goes_on(lexicon_, tokens_, at)) return false;
   // One unit at the end holds for all: "120 x 60 cm".
   std::size_t check = i_;

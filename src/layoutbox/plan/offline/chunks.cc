@@ -56,7 +56,7 @@ bool Chunker::is_all_around() const { return tokens_[i_].text == "all" && i_ + 1
 void Chunker::read() {
   if (read_hung_at() || read_distance() || read_lettered_size() || read_bare_length() || read_size_chunk() || read_rows() ||
       read_infinitive() || read_wishing() || read_finding() || read_doing() || read_built_place() || read_having_by() || read_manner() ||
-      read_trailing_bound() || read_stuff())
+      read_trailing_bound() || read_look())
     return;
   if (is_about_number()) {
     add(ChunkKind::kIgnored, 1);
@@ -183,7 +183,9 @@ bool Chunker::read_infinitive() {
   const bool with_it = previous() == ChunkKind::kNoun && chunks_.back().last == i_ && lexicon_.find(tokens_, i_ + 1).length == 0 &&
                        lexicon_.find_phrase(tokens_, i_ + 1).length == 0;
   if (!with_it && !one_of(tokens_[i_ - 1].text, WordSet::kDoable)) return false;
-  add(ChunkKind::kPurpose, 2);
+  // "an arrow to Mecca": whither
+  const bool whither = with_it && tokens_[i_ + 1].capital && !tokens_[i_ - 1].capital;
+  add(whither ? ChunkKind::kIgnored : ChunkKind::kPurpose, 2);
   return true;
 }
 

@@ -57,7 +57,9 @@ class Chunker {
   bool read_whose();
   bool says_enough() const;
   bool read_infinitive();
-  bool read_stuff();
+  // What a thing looks like (chunk_looks).
+  std::size_t look_begins() const;
+  bool read_look();
   // What somebody does (chunk_deeds).
   bool follows_doer() const;
   bool is_about_number() const;

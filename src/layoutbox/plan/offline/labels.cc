@@ -16,6 +16,7 @@ class LabelReader {
     read_titles();
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       read_price(i);
+      read_amount(i);
       read_code(i);
       read_bracketed_name(i);
       read_address(i);
@@ -32,6 +33,9 @@ class LabelReader {
   bool is_number(std::size_t i) const { return i < tokens_.size() && tokens_[i].kind == Token::Kind::kNumber; }
   bool is_word(std::size_t i) const { return i < tokens_.size() && tokens_[i].kind == Token::Kind::kWord; }
   bool is_one_of(std::size_t i, WordSet set) const { return i < tokens_.size() && one_of(tokens_[i].text, set); }
+  bool is_one_of(std::size_t i, std::initializer_list<std::string_view> words) const {
+    return i < tokens_.size() && std::ranges::find(words, std::string_view(tokens_[i].text)) != words.end();
+  }
   template <std::size_t n>
   bool is_one_of(std::size_t i, const std::string_view (&words)[n]) const {
     return i < tokens_.size() && std::ranges::find(words, tokens_[i].text) != std::end(words);
@@ -54,6 +58,9 @@ class LabelReader {
       while (close < tokens_.size() && close - open <= kLongest && !is_quote(close)) capitals += tokens_[close++].capital ? 1 : 0;
       if (close >= tokens_.size() || !is_quote(close)) continue;
       const bool said = open > 0 && is_in("name_verbs", open - 1);
+      // a red "on air" sign
+      if (!said && open > 0 && is_word(open - 1) && lexicon_.find(tokens_, close + 1, WordClass::kObject).length > 0)
+        leave_out(open, close + 1, "a name");
       if (said || (capitals >= kFewest && 2 * capitals > close - open - 1)) leave_out(open - (said ? 1 : 0), close + 1, "a name");
       open = close;
     }
@@ -83,6 +90,15 @@ class LabelReader {
       if (last > end && (tokens_[last - 1].text == "in" || tokens_[last - 1].text == "or")) last = end;
     }
     leave_out(first, last, "a price");
+  }
+
+  // "from 5 to 30 kg", "a 20 kg kettlebell": how heavy, how warm, how strong; no number of things.
+  void read_amount(std::size_t i) {
+    if (!is_number(i) || skip_[i] || !is_one_of(i + 1, WordSet::kAmounts)) return;
+    std::size_t first = i;
+    if (i > 1 && is_number(i - 2) && is_one_of(i - 1, {"to", "-", "and", "or"})) first = i - 2;
+    if (first > 0 && is_one_of(first - 1, {"from", "of", "between", "at"})) --first;
+    leave_out(first, i + 2, "an amount");
   }
 
   // "3B", "A3", "B12": one capital at a number, which is neither a unit nor a count ("4x").

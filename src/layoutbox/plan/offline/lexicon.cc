@@ -319,6 +319,11 @@ bool Lexicon::names_place(std::span<const Token> tokens, std::size_t at) const {
   });
 }
 
+const CatalogEntry* Lexicon::entry_called(const std::string& words) const {
+  const CatalogEntry* entry = catalog_->find_by_words(words);
+  return entry != nullptr && (entry->name == words || std::ranges::find(entry->synonyms, words) != entry->synonyms.end()) ? entry : nullptr;
+}
+
 PhraseMatch Lexicon::find_phrase(std::span<const Token> tokens, std::size_t at) const {
   PhraseMatch best;
   extend_phrase(tokens, at, at, {}, {}, best);

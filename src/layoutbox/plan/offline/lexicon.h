@@ -197,6 +197,8 @@ class Lexicon {
   // What a common typing error stands for ("teh" → the, "infront" → in front), or empty.
   std::string_view meant_by(std::string_view word) const;
   const Catalog& catalog() const { return *catalog_; }
+  // The entry that has exactly these words as one of its names; null: none.
+  const CatalogEntry* entry_called(const std::string& words) const;
 
  private:
   struct Entry {

@@ -21,14 +21,6 @@ std::string text_of(std::span<const Token> tokens, std::size_t first, std::size_
   return text;
 }
 
-namespace {
-
-bool is_called(const CatalogEntry& entry, const std::string& words) {
-  return entry.name == words || std::find(entry.synonyms.begin(), entry.synonyms.end(), words) != entry.synonyms.end();
-}
-
-}  // namespace
-
 void NounPhraseReader::take_attributes(std::size_t until) {
   for (std::size_t p = 0; p < until; ++p) {
     const PhrasePart& part = parts_[p];
@@ -61,8 +53,8 @@ void NounPhraseReader::settle_object(const PhrasePart& head, std::size_t head_in
 void NounPhraseReader::settle_heap(const PhrasePart& head) {
   const std::size_t last_word = phrase_.name.rfind(' ') + 1;  // 0 where it is the only one
   phrase_.name = std::string(heaped_) + " of " + phrase_.name.substr(0, last_word) + tokens_[head.last - 1].text;
-  const CatalogEntry* own = lexicon_.catalog().find_by_words(phrase_.name);
-  if (own != nullptr && is_called(*own, phrase_.name)) {
+  const CatalogEntry* own = lexicon_.entry_called(phrase_.name);
+  if (own != nullptr) {
     phrase_.entry = own;
     phrase_.category = own->id;
     phrase_.exact = true;
@@ -171,9 +163,8 @@ void NounPhraseReader::settle_unknown() {
 // What the catalogue has as a pair of them: "work gloves" as gloves; null: nothing.
 const CatalogEntry* NounPhraseReader::pair_of(const PhrasePart& head) const {
   for (const std::size_t first : {head.first, head.last - 1}) {
-    const std::string words = "pair of " + text_of(tokens_, first, head.last);
-    const CatalogEntry* pair = lexicon_.catalog().find_by_words(words);
-    if (pair != nullptr && is_called(*pair, words)) return pair;
+    const CatalogEntry* pair = lexicon_.entry_called("pair of " + text_of(tokens_, first, head.last));
+    if (pair != nullptr) return pair;
   }
   return nullptr;
 }
@@ -265,6 +256,12 @@ void NounPhraseReader::read_of() {
       phrase_.entry = thing->entry;
       phrase_.category = thing->entry->id;
       return;
+    }
+    // "a bin of toys", "a rack of shoes": what is called a toy bin.
+    const CatalogEntry* own = base->count == 0 ? lexicon_.entry_called(base->head + " " + phrase_.head) : nullptr;
+    if (own != nullptr && phrase_.entry != nullptr && !phrase_.entry->is(Trait::kShelving)) {
+      phrase_.entry = own;
+      phrase_.category = own->id;
     }
     // "a tub of clay" is none to bathe in.
     if (const CatalogEntry* portion = lexicon_.catalog().find(portion_entry(phrase_.head)); portion != nullptr && !base->exact) {

@@ -152,6 +152,19 @@ bool NounPhraseReader::is_thing_by_name(std::size_t head) const {
   return station || (part.word_class == WordClass::kAbstract && is_thing_where_named(part));
 }
 
+// "a tall magnolia", "two topazes": what a color has its name from, where nothing is of that color; not "painted a jade", "a soft sage".
+bool NounPhraseReader::is_namesake(std::size_t head) const {
+  const PhrasePart& part = parts_[head];
+  const std::string& word = tokens_[part.first].text;
+  if (part.word_class != WordClass::kColor || part.last != part.first + 1 || word_form(word) == WordForm::kAdjective) return false;
+  if (phrase_.determiner != Determiner::kIndefinite && !(counted_ && phrase_.count > 1)) return false;
+  const bool told = phrase_.first > 0 && one_of(tokens_[phrase_.first - 1].text, {"in", "painted", "of", "is", "are"});
+  const WordForm form = noun_form(word);
+  const auto is_size = [](const PhrasePart& p) { return p.word_class == WordClass::kSizeWord; };
+  return !told && (form == WordForm::kThing || form == WordForm::kBody || form == WordForm::kUnknown) &&
+         std::all_of(parts_.begin(), parts_.begin() + static_cast<std::ptrdiff_t>(head), is_size);
+}
+
 // The head is the last noun; words after it that are not nouns were read too far.
 void NounPhraseReader::find_head(std::size_t& head) {
   for (head = parts_.size(); head > 0; --head) {
@@ -160,6 +173,11 @@ void NounPhraseReader::find_head(std::size_t& head) {
       return;
     // "a climbing cube", "two wooden spheres"
     const bool shape = part.word_class == WordClass::kShape && head == parts_.size() && is_noun(word_form(tokens_[part.last - 1].text));
+    if (head == parts_.size() && is_namesake(head - 1)) {
+      part.word_class = WordClass::kFiller;
+      part.plural = plural_at(part.last - 1);
+      return;
+    }
     if (shape && is_named() && !(part.first > 0 && tokens_[part.first - 1].text == "all") &&
         (head == 1 || parts_[head - 2].last == part.first)) {
       part.word_class = WordClass::kFiller;
@@ -367,8 +385,9 @@ void NounPhraseReader::settle_listed(std::size_t head) {
   }
   const bool new_here = counted_ || part.plural || phrase_.determiner == Determiner::kIndefinite;
   const bool quality = meaning_of(lexicon_.find(tokens_.first(part.last), part.first), WordClass::kAbstract) != nullptr;  // "light colors"
+  const bool leg = one_of(singular_of(tokens_[part.last - 1].text), {"leg", "foot"});  // "hairpin legs" are what a thing stands on
   if (part.word_class == WordClass::kPart && new_here && !quality &&
-      (part.meaning.entry != nullptr || is_compound(head) || counts_things(part))) {
+      (part.meaning.entry != nullptr || (is_compound(head) && !leg) || counts_things(part))) {
     const NounPhrase opened = phrase_;
     settle_object(part.meaning.entry != nullptr ? part : as_thing, head);
     auto object = std::make_shared<NounPhrase>(phrase_);

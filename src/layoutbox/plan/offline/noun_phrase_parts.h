@@ -112,6 +112,7 @@ class NounPhraseReader {
   bool is_named() const { return !parts_.empty() || phrase_.determiner != Determiner::kNone || counted_; }
   bool add(WordClass word_class, const Meaning& meaning, std::size_t length, bool plural);
   bool names_on(const Match& match) const;
+  bool is_namesake(std::size_t head) const;
   bool names_after_one(const Match& match) const;
   bool read_part();
   bool count_follows() const;

@@ -31,6 +31,7 @@ bool NounPhraseReader::word_may_belong() const {
   const std::string& text = token().text;
   if (text == "per") return false;  // "(2 per table)"
   if (hyphenated(i_)) return true;
+  if (text.size() == 1) return false;  // "1.6 x 2", "in an L"
   const bool noun_before = std::any_of(parts_.begin(), parts_.end(), [this](const PhrasePart& p) {
     return p.word_class == WordClass::kObject || p.word_class == WordClass::kRoom || p.word_class == WordClass::kDoor ||
            p.word_class == WordClass::kWindow ||

@@ -117,6 +117,7 @@ class OfflinePlanner final : public Planner {
     settle_worktops(document);
     settle_namesakes(document);
     settle_floor_carpets(document);
+    settle_part_looks(document);
     settle_grid_counts(document);
     settle_forward_counts(document);
     settle_forward_names(document);

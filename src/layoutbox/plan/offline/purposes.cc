@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "layoutbox/base/words.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/word_sets.h"
@@ -91,11 +92,40 @@ void settle_aids(const Lexicon& lexicon, Document& document) {
   }
 }
 
+// Not "for each desk", "for two", "for large plants".
+bool is_general(const NounPhrase& noun) {
+  return noun.count == 0 && noun.attributes.empty() && noun.determiner != Determiner::kEach && noun.determiner != Determiner::kBoth;
+}
+
+// "a bed for the dog", "a bin for toys": the kind that is called after whom or what it is for.
+void settle_kinds_by_purpose(const Lexicon& lexicon, Document& document) {
+  std::vector<Chunk>& chunks = document.chunks;
+  for (std::size_t k = 1; k + 1 < chunks.size(); ++k) {
+    Chunk& thing = chunks[k - 1];
+    if (chunks[k].kind != ChunkKind::kPurpose || document.tokens[chunks[k].last - 1].text != "for" || thing.kind != ChunkKind::kNoun ||
+        thing.noun.kind != NounKind::kObject || thing.last != chunks[k].first)
+      continue;
+    const Chunk& whom = chunks[k + 1];
+    const bool noun = whom.kind == ChunkKind::kNoun;
+    if ((!noun && whom.last != whom.first + 1) || (noun && !is_general(whom.noun))) continue;
+    const std::string called = singular_of(document.tokens[whom.last - 1].text) + " " + thing.noun.head;
+    const CatalogEntry* kind = lexicon.entry_called(called);
+    if (kind == nullptr || kind == thing.noun.entry) continue;
+    thing.noun.entry = kind;
+    thing.noun.category = kind->id;
+    thing.noun.exact = true;
+    if (noun && whom.noun.plural && whom.noun.kind == NounKind::kObject) continue;  // shoes may be in their rack
+    pass_over(document, chunks[k], "purpose");
+    pass_over(document, chunks[k + 1], "whom or what it is for");
+  }
+}
+
 }  // namespace
 
 void settle_purposes(const Lexicon& lexicon, Document& document) {
   settle_activities(lexicon, document);
   settle_aids(lexicon, document);
+  settle_kinds_by_purpose(lexicon, document);
   std::vector<Chunk>& chunks = document.chunks;
   for (std::size_t k = 0; k + 2 < chunks.size(); ++k) {
     if (chunks[k].kind != ChunkKind::kPurpose || document.tokens[chunks[k].last - 1].text != "for" ||

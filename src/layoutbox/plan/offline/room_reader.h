@@ -71,6 +71,8 @@ int openings_said(const NounPhrase& noun);
 
 // "gray carpet, white walls": a carpet named beside the walls is the floor.
 void settle_floor_carpets(Document& document);
+// "A chair with a red seat": a red chair (part_looks).
+void settle_part_looks(Document& document);
 
 // "Pink and grey.", "a kitchen in white and oak", "green tiles": colours of the whole room, for its walls and its floor.
 void read_room_colors(const Lexicon& lexicon, Document& document, Room& room);

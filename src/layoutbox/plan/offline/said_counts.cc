@@ -78,7 +78,8 @@ class SaidCounts {
     const std::size_t number = past_signs(i + 1);
     if (number >= tokens_.size() || tokens_[number].kind != Token::Kind::kNumber) return;
     std::size_t line = i;
-    while (line > 0 && i - line < kLongest && !tokens_[line - 1].ends_sentence && !is_count(line - 1) &&
+    const auto is_side = [&](std::size_t at) { return is(at + 1, "x") || (at > 0 && is(at - 1, "x")); };  // "0.45x0.4 qty 2"
+    while (line > 0 && i - line < kLongest && !tokens_[line - 1].ends_sentence && (!is_count(line - 1) || is_side(line - 1)) &&
            !lexicon_.is(tokens_[line - 1], WordClass::kAnd))
       --line;
     leave_out(i, number);

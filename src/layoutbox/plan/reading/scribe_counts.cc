@@ -50,11 +50,15 @@ std::size_t Scribe::row_along_walls(const Link& link, int target, const NounPhra
 
 // "bookshelves lining three walls": at least one at each.
 void Scribe::grow_along_walls(const Link& link, int target, const NounPhrase& wall) {
-  const bool several =
-      noun_of(target).plural || (is_uncounted_stuff(noun_of(target)) && is_storage(noun_of(target)) && (wall.plural || wall.count > 1));
+  // "acoustic foam on two walls", "posters on all walls": something on each
+  const NounPhrase& thing = noun_of(target);
+  const bool hung = thing.entry != nullptr && thing.entry->mount == Mount::kWall && thing.determiner == Determiner::kNone;
+  const bool several = hung || noun_of(target).plural ||
+                       (is_uncounted_stuff(noun_of(target)) && is_storage(noun_of(target)) && (wall.plural || wall.count > 1));
   if (wall.kind != NounKind::kWall || !several || noun_of(target).count > 0) return;
   const bool both = wall.determiner == Determiner::kBoth && document_.tokens[wall.first].text == "both";
-  const auto walls = static_cast<std::size_t>(std::max(wall.count, both ? 2 : 0));
+  const bool all = wall.determiner == Determiner::kBoth && document_.tokens[wall.first].text == "all";
+  const auto walls = all && hung ? walls_meant(wall) : static_cast<std::size_t>(std::max(wall.count, both ? 2 : 0));
   references_.grow(target, std::max(walls, row_along_walls(link, target, wall)));
 }
 
