@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/splice.h"
 #include "layoutbox/plan/offline/word_sets.h"
 
