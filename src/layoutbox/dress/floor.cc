@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "layoutbox/catalog/measures.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/dress/places.h"
 
@@ -11,7 +12,6 @@ namespace {
 constexpr double kOffWall = 40;                         // mm between a plant and its walls
 constexpr double kAbout = 60;                           // … that are free about it
 constexpr double kBesideGap = 60;                       // between a lamp and what it stands beside
-constexpr double kTallBack = 1200;                      // of what is higher the back is an eyesore
 constexpr double kRugOffWall = 150;                     // least floor between a rug and a wall
 constexpr double kBeforeSeat = 1600, kUnderSeat = 250;  // of a seat's rug: how deep it is, and how much of that is under the seat
 constexpr double kBeforeFoot = 500, kOfBed = 0.7;       // of a bed's rug: what lies before its foot; its depth as a share of the bed's
@@ -90,7 +90,7 @@ void stand_at_free_wall(Dresser& dresser, const Dressing& row) {
   Span longest;
   for (const DressedWall& wall : dresser.room().walls()) {
     const bool shown = dresser.is_shown(wall);
-    if (!shown && size.height > kTallBack) continue;
+    if (!shown && size.height > measures().tall_from) continue;  // its back is an eyesore
     for (const Span& span : dresser.room().free_along(wall, {0, size.depth + double(row.before)}, {0, double(size.height)})) {
       const std::pair worth{shown, span.length()};
       if (span.length() >= row.stretch && worth > most) best = &wall, longest = span, most = worth;

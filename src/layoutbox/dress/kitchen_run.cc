@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "layoutbox/catalog/measures.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/dress/kitchen.h"
 #include "layoutbox/dress/places.h"
@@ -10,8 +11,6 @@
 namespace layoutbox::dressing {
 namespace {
 
-constexpr double kWalk = 1000, kLeastWalk = 800;                  // free floor before a run, and where its form is said
-constexpr double kTall = 1200;                                    // a unit that ends a run
 constexpr double kNarrowest = 150, kOfUse = 300, kCabinet = 700;  // widths of cabinets: a pull-out, the least at an end, the usual
 constexpr double kChink = 10;                                     // what is wider between two units is filled
 constexpr double kInCorner = 350;                                 // what is narrower is part of the corner unit
@@ -83,7 +82,7 @@ class KitchenRun {
   // Where a cabinet may stand along a wall, with room to walk before it.
   std::vector<Span> free_at(const DressedWall& wall) const {
     const double depth = size_.depth;
-    const double walk = form_.empty() ? kWalk : kLeastWalk;
+    const double walk = form_.empty() ? measures().before_run : measures().least_before_run;
     return shared(
         dresser_.room().free_along(wall, {0, depth}, {0, double(size_.height)}),
         dresser_.room().free_along(wall, {depth, depth + walk}, {0, double(size_.height)}, FreeRoom::Count::kStandingAndDoorways));
@@ -126,7 +125,7 @@ class KitchenRun {
     if (next == nullptr) return;
     const std::vector<KitchenUnit> before = units_at(dresser_, wall), after = units_at(dresser_, *next);
     if (before.empty() || after.empty()) return;
-    if (before.back().object->size.height > kTall || after.front().object->size.height > kTall) return;
+    if (before.back().object->size.height > measures().tall_from || after.front().object->size.height > measures().tall_from) return;
     const double depth = size_.depth, edge = before.back().span.high, first = after.front().span.low;
     const double here = wall.length - edge, most = depth + (form_.empty() ? kFormlessGap : kWidestGap);
     if (here > most || first > most) return;
@@ -176,7 +175,7 @@ class KitchenRun {
     End end{.wall = &wall, .high = high};
     const std::vector<KitchenUnit> units = units_at(dresser_, wall);
     const KitchenUnit& last = high ? units.back() : units.front();
-    if (last.object->size.height > kTall) return end;
+    if (last.object->size.height > measures().tall_from) return end;
     const double edge = high ? last.span.high : last.span.low;
     for (const Span& span : free_at(wall)) {
       if (std::abs((high ? span.low : span.high) - edge) > kTouching) continue;

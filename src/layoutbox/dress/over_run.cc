@@ -2,23 +2,22 @@
 #include <algorithm>
 #include <cmath>
 
+#include "layoutbox/catalog/measures.h"
 #include "layoutbox/dress/kitchen.h"
 #include "layoutbox/dress/places.h"
 
 namespace layoutbox::dressing {
 namespace {
 
-constexpr double kOverWorktop = 1150;                       // mm: what is higher has nothing hanging over it
 constexpr double kNarrowestHung = 400, kHungCabinet = 700;  // widths of cabinets
 constexpr double kOverHung = 50;
-constexpr double kHobToHood = 680;
 constexpr double kBehindStove = 150;
 
 // Stretches of low units, side by side.
 std::vector<Span> low_runs(const Dresser& dresser, const DressedWall& wall) {
   std::vector<Span> runs;
   for (const KitchenUnit& unit : units_at(dresser, wall)) {
-    if (unit.object->size.height > kOverWorktop) continue;
+    if (unit.object->size.height > measures().over_worktop) continue;
     if (!runs.empty() && unit.span.low - runs.back().high < kTouching) {
       runs.back().high = unit.span.high;
     } else {
@@ -38,7 +37,7 @@ void hang_over_stove(Dresser& dresser, const Dressing& row) {
     if (wall == nullptr) continue;
     Size size = dresser.size_of(row);
     const RoomBox box = box_round(stove);
-    const double low = on_grid(box.z1 + kHobToHood), middle = wall->along(box).middle();
+    const double low = on_grid(box.z1 + measures().hob_to_hood), middle = wall->along(box).middle();
     const double ceiling = dresser.layout().room.height - kOverHung;
     size.height = static_cast<Mm>(std::min(double(size.height), ceiling - low));
     const Span along{middle - size.width / 2.0, middle + size.width / 2.0};

@@ -8,8 +8,6 @@
 namespace layoutbox::dressing {
 namespace {
 
-constexpr double kAtWall = 350;  // mm: what stands no farther off has the wall behind it
-constexpr double kOverPicture = 120;
 constexpr double kOfWidth = 0.6;     // a single picture's share of what it hangs over
 constexpr double kOfStretch = 0.38;  // … of its stretch of wall
 constexpr double kBasin = 1000;      // what hangs lower is like what stands
@@ -37,7 +35,7 @@ std::vector<Span> seen_stretches(const Dresser& dresser, const DressedWall& wall
 }
 
 bool fits(const Dresser& dresser, const DressedWall& wall, Span along, double depth, Span height) {
-  if (height.high > dresser.layout().room.height - kOverPicture) return false;
+  if (height.high > dresser.layout().room.height - measures().picture_to_ceiling) return false;
   const auto holds = [&](const Span& free) {
     return free.low <= along.low - measures().around_picture && free.high >= along.high + measures().around_picture;
   };
@@ -63,7 +61,7 @@ void hang_over_things(Dresser& dresser, const Dressing& row) {
   for (const std::size_t i : dresser.things(row.of)) {
     const PlacedObject below = dresser.layout().objects[i];
     const bool low = below.mount == Mount::kFloor || (below.mount == Mount::kWall && below.position[2] + below.size.height < kBasin);
-    const DressedWall* wall = low ? dresser.room().behind(below, kAtWall) : nullptr;
+    const DressedWall* wall = low ? dresser.room().behind(below, measures().behind_it) : nullptr;
     if (wall == nullptr || left == 0 || below.size.width < row.stretch) continue;
     Size size = dresser.size_of(row);
     int count = 1;

@@ -3,6 +3,8 @@
 
 #include "layoutbox/solve/priors/habits.h"
 
+#include "layoutbox/catalog/measures.h"
+
 namespace layoutbox::placement {
 namespace {
 
@@ -181,9 +183,8 @@ bool Habits::placed_by_relation(int item) const {
 
 // A table for children or toys that nobody there sits at, beside the sofa's group: not in the middle of it.
 bool Habits::is_low_aside(int item) const {
-  constexpr Mm kLow = 600;
   const Item& self = model_.items[item];
-  return self.is(Trait::kTable) && !self.is(Trait::kCoffeeTable) && self.states[0].size.height < kLow;
+  return self.is(Trait::kTable) && !self.is(Trait::kCoffeeTable) && self.states[0].size.height < measures().sat_at_from;
 }
 
 // Is a door or window all that it is told to be by? Then it stands at the wall there, a coat stand or a cat tree, not in the way.

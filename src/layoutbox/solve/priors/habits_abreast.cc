@@ -1,6 +1,7 @@
 // Habits of things that stand side by side: twins, the run of a kitchen, rows at walls.
 #include <array>
 
+#include "layoutbox/catalog/measures.h"
 #include "layoutbox/solve/priors/habits.h"
 
 namespace layoutbox::placement {
@@ -47,8 +48,7 @@ void Habits::stand_in_run(int item) {
     return model_.items[i].mount == Mount::kFloor && model_.items[i].entry->back_to_wall && model_.items[i].is(Trait::kKitchenRun);
   };
   if (!in_runs(item)) return;
-  constexpr Mm kTall = 1200;
-  const auto is_low = [&](int i) { return in_runs(i) && model_.items[i].states[0].size.height < kTall; };
+  const auto is_low = [&](int i) { return in_runs(i) && model_.items[i].states[0].size.height < measures().tall_from; };
   // One works beside sink and hob: worktops stand by them, and by a fridge where there is nothing else.
   const RelationSet beside_it = relations_that<&RelationTraits::close_by>() | relations_that<&RelationTraits::sideways>();
   bool by_low = false;
@@ -66,10 +66,9 @@ void Habits::stand_in_run(int item) {
 
 // Nobody cooks or washes up with an elbow in the fridge: a hand of worktop is between what is tall and what is no worktop.
 void Habits::keep_tall_off_worked_at(int item) {
-  constexpr Mm kTall = 1200, kWorktop = 400;
   constexpr int kOff = 300;  // points a metre
   const auto is_unit = [&](int i) { return model_.items[i].mount == Mount::kFloor && model_.items[i].is(Trait::kKitchenRun); };
-  const auto is_tall = [&](int i) { return model_.items[i].states[0].size.height >= kTall; };
+  const auto is_tall = [&](int i) { return model_.items[i].states[0].size.height >= measures().tall_from; };
   const auto is_worktop = [&](const Item& unit) {
     return unit.mount == Mount::kFloor && unit.is(Trait::kKitchenRun) && unit.is(Trait::kCounter);
   };
@@ -80,7 +79,7 @@ void Habits::keep_tall_off_worked_at(int item) {
     if (model_.items[low].is(Trait::kCounter)) continue;
     Formula f;
     for (const int axis : {0, 1}) {
-      for (const int sign : {1, -1}) f.add().require(gap_towards(item, other, {axis, sign}) - Linear(kWorktop));
+      for (const int sign : {1, -1}) f.add().require(gap_towards(item, other, {axis, sign}) - Linear(measures().worktop_between));
     }
     habit("a worktop between", item, kOff, std::move(f));
   }
@@ -88,7 +87,6 @@ void Habits::keep_tall_off_worked_at(int item) {
 
 // An island stands along the run, its front away from it, an aisle between. False: there is no run, or words say where it is.
 bool Habits::stand_along_run(int item) {
-  constexpr Mm kBeforeRun = 1100;
   constexpr int kAlong = 300, kBeforeIsland = 150;
   if (placed_besides_facing(item)) return false;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
@@ -102,7 +100,7 @@ bool Habits::stand_along_run(int item) {
       const Direction front = side_direction(run, Side::kFront, turn);
       if (!alike) return;
       Case& c = f.add().when(unit, states).when(item, alike);
-      c.wish(gap_towards(item, unit, front) - Linear(kBeforeRun), kBeforeIsland);
+      c.wish(gap_towards(item, unit, front) - Linear(measures().island_aisle), kBeforeIsland);
       c.wish(mid2(item, across(front)) - mid2(unit, across(front)), kMiddle, 2);
     });
     if (f.cases.empty()) return false;

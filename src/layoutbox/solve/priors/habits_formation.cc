@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "layoutbox/catalog/measures.h"
 #include "layoutbox/scene/relation_traits.h"
 #include "layoutbox/solve/priors/formation.h"
 #include "layoutbox/solve/priors/habits.h"
@@ -13,7 +14,6 @@ constexpr std::size_t kManyInFormation = 4, kManySeats = 7;
 constexpr std::int64_t kManySize = 3'000'000;       // mm²: larger things are no crowd
 constexpr std::int64_t kTableToSitRound = 400'000;  // mm²
 constexpr int kKeepOff = 300;                       // points a metre
-constexpr Mm kBeforeCrowd = 1000;                   // free before the first row, between it and what all look at
 
 }  // namespace
 
@@ -180,7 +180,7 @@ void Habits::keep_off_faced(int item) {
     if (model_.items[faced].mount != Mount::kFloor) continue;
     Formula f;
     for (const int axis : {0, 1}) {
-      for (const int sign : {1, -1}) f.add().require(gap_towards(item, faced, {axis, sign}) - Linear(kBeforeCrowd));
+      for (const int sign : {1, -1}) f.add().require(gap_towards(item, faced, {axis, sign}) - Linear(measures().before_crowd));
     }
     habit("keeps off", item, kKeepOff, std::move(f), {faced});
     return;

@@ -1,20 +1,19 @@
 // Habits of groups: those who dine, those who serve and those who wait, each with room of their own.
+#include "layoutbox/catalog/measures.h"
 #include "layoutbox/solve/priors/habits.h"
 
 namespace layoutbox::placement {
 
 // A table that one sits at upright, with those who do.
 bool Habits::is_dined_at(int item) const {
-  constexpr Mm kHigh = 600;
   const Item& table = model_.items[item];
   return table.is(Trait::kTable) && !table.is(Trait::kDeskLike) && table.mount == Mount::kFloor && !table.entry->back_to_wall &&
-         table.states[0].size.height >= kHigh && has_sitters(item);
+         table.states[0].size.height >= measures().sat_at_from && has_sitters(item);
 }
 
 // Who dines does not sit among the sofas: the table, with the chairs round it, keeps off what belongs to the talking group; nor do those
 // who read lean against the shelves.
 void Habits::keep_off_sofas(int item) {
-  constexpr Mm kChairsAndWay = 1200, kTall = 1200;
   constexpr int kApart = 300;  // points a metre
   if (!is_dined_at(item)) return;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
@@ -22,11 +21,11 @@ void Habits::keep_off_sofas(int item) {
     const Item& ref = model_.items[i];
     if (ref.is_opening() || ref.mount != Mount::kFloor || ref.thin || related(item, other)) continue;
     const bool sofa = ref.is(Trait::kCenterPiece) && !ref.is(Trait::kBed);
-    const bool shelf = ref.is(Trait::kShelving) && ref.states[0].size.height >= kTall;
+    const bool shelf = ref.is(Trait::kShelving) && ref.states[0].size.height >= measures().tall_from;
     if (!sofa && !shelf && !ref.is(Trait::kCoffeeTable)) continue;
     Formula f;
     for (const int axis : {0, 1}) {
-      for (const int sign : {1, -1}) f.add().require(gap_towards(item, other, {axis, sign}) - Linear(kChairsAndWay));
+      for (const int sign : {1, -1}) f.add().require(gap_towards(item, other, {axis, sign}) - Linear(measures().chairs_and_way));
     }
     habit("off the sofas", item, kApart, std::move(f));
   }
@@ -34,7 +33,6 @@ void Habits::keep_off_sofas(int item) {
 
 // A sofa does not take the floor by a bed, where one gets up.
 void Habits::keep_off_beds(int item) {
-  constexpr Mm kGettingUp = 700;
   constexpr int kOff = 300;  // points a metre
   const Item& self = model_.items[item];
   if (!self.is(Trait::kCenterPiece) || self.is(Trait::kBed)) return;
@@ -44,7 +42,7 @@ void Habits::keep_off_beds(int item) {
       continue;
     Formula f;
     for (const int axis : {0, 1}) {
-      for (const int sign : {1, -1}) f.add().require(gap_towards(item, bed, {axis, sign}) - Linear(kGettingUp));
+      for (const int sign : {1, -1}) f.add().require(gap_towards(item, bed, {axis, sign}) - Linear(measures().getting_up));
     }
     habit("off the bed", item, kOff, std::move(f));
   }
@@ -235,7 +233,6 @@ void Habits::wait_before_counter(int item) {
 
 // Bottles are at the back of who serves: along the counter, an arm and a step behind it.
 bool Habits::stand_behind_server(int item) {
-  constexpr Mm kForServer = 900;
   constexpr int kBehindServer = 500, kBeforeMiddle = 200;  // points a metre
   const int counter = model_.items[item].is(Trait::kBehindServer) && !placed_by_relation(item) ? counter_of_room() : -1;
   if (counter < 0) return false;
@@ -246,7 +243,7 @@ bool Habits::stand_behind_server(int item) {
     const Direction back = side_direction(model_.items[counter], Side::kBack, turn);
     Case& c = f.add().when(counter, states).when(item, alike);
     c.require(gap_towards(item, counter, back));
-    c.wish(gap_towards(item, counter, back) - Linear(kForServer), kBehindServer);
+    c.wish(gap_towards(item, counter, back) - Linear(measures().behind_bar), kBehindServer);
     c.wish(mid2(item, across(back)) - mid2(counter, across(back)), kBeforeMiddle, 2);
   });
   if (f.cases.empty()) return false;

@@ -1,17 +1,16 @@
 // What a formation stands before, and the floor that it leaves for that and for those who sit there; what goes by a window, a door or who
 // waits.
 #include "layoutbox/catalog/groups.h"
+#include "layoutbox/catalog/measures.h"
 #include "layoutbox/solve/priors/habits.h"
 #include "layoutbox/solve/priors/seating.h"
 
 namespace layoutbox::placement {
 namespace {
 
-constexpr Mm kStageDepth = 1600;      // left before a crowd for what it looks at and who stands there
 constexpr int kAlongWindow = 2000;    // points a metre: more than the free floor that a bar wants behind it
 constexpr int kGuestsTable = 250;     // points a metre
 constexpr Mm kMostUnderWindow = 300;  // off the wall, as the relation has it
-constexpr Mm kClearOfCrowd = 1000;    // free before the first row, between it and what all look at
 
 }  // namespace
 
@@ -39,9 +38,8 @@ int Habits::desk_waited_at(const Group& group) const {
 
 // What a teacher's desk that nobody placed takes between the class and its board.
 Mm Habits::teachers_depth() const {
-  constexpr Mm kForTeacher = 900;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    if (faces_a_class(static_cast<int>(i))) return kForTeacher;
+    if (faces_a_class(static_cast<int>(i))) return measures().for_teacher;
   }
   return 0;
 }
@@ -70,13 +68,13 @@ Mm Habits::depth_of_seats(const Group& group) const {
 
 // Floor left free before the first row for what all look at and who stands there.
 Mm Habits::depth_before(int first) const {
-  Mm depth = kStageDepth + teachers_depth();
+  Mm depth = measures().stage_depth + teachers_depth();
   for (const Relation* r : said_of(first)) {
     if (r->type != RelationType::kFacing || r->references.size() != 1) continue;
     const int faced = model_.find_item(r->references[0]);
     if (faced < 0 || model_.items[faced].is_opening() || model_.items[faced].mount != Mount::kFloor) continue;
     const Size& size = model_.items[faced].states[0].size;
-    depth = std::max(depth, std::min(size.width, size.depth) + kClearOfCrowd);
+    depth = std::max(depth, std::min(size.width, size.depth) + measures().before_crowd);
   }
   return depth;
 }

@@ -1,4 +1,5 @@
 // Habits of sets that share something: a row on the wall over one thing, small things along a wall, the floor round a table for play.
+#include "layoutbox/catalog/measures.h"
 #include "layoutbox/solve/priors/habits.h"
 
 namespace layoutbox::placement {
@@ -80,13 +81,13 @@ void Habits::share_wall_out(int item) {
 
 // What is played from behind only (a drum kit) leaves the player a seat between it and the wall.
 void Habits::leave_seat_behind(int item) {
-  constexpr Mm kSeat = 420, kServing = 900;
+  constexpr Mm kSeat = 420;
   constexpr int kBehind = 500;  // points a metre
   const Item& self = model_.items[item];
   const bool served = is_served_over(item) && !self.is(Trait::kDeskLike);
   const bool manned = used_sides(self) == std::vector<Side>{Side::kBack} && !self.is(Trait::kTable) && !self.is(Trait::kDeskLike);
   if (!served && !manned) return;
-  const Mm behind = served ? kServing : kSeat;
+  const Mm behind = served ? measures().behind_bar : kSeat;
   Formula f;
   for (const RoomWall& wall : model_.walls) {
     if (!wall.straight) continue;

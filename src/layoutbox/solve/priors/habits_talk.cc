@@ -1,11 +1,11 @@
 // Habits of those who sit to talk: round a sofa without a low table, before a fire, face to face.
+#include "layoutbox/catalog/measures.h"
 #include "layoutbox/solve/priors/habits.h"
 
 namespace layoutbox::placement {
 namespace {
 
-constexpr Mm kTalkingApart = 1000;  // knees and feet between those who sit face to face
-constexpr Mm kAbreast = 250;        // between easy chairs side by side
+constexpr Mm kAbreast = 250;  // between easy chairs side by side
 
 }  // namespace
 
@@ -43,7 +43,7 @@ bool Habits::sit_round_sofa(int item, int sofa) {
     if (turn % 90 != 0) return;
     const Direction front = side_direction(ref, Side::kFront, turn);
     Case& opposite_it = f.add().when(sofa, states).when(item, states_looking(self, opposite(front)));
-    opposite_it.wish(gap_towards(item, sofa, front) - Linear(kTalkingApart), kBeside);
+    opposite_it.wish(gap_towards(item, sofa, front) - Linear(measures().talking_apart), kBeside);
     opposite_it.wish(mid2(item, across(front)) - mid2(sofa, across(front)) - Linear((2 * k - (n - 1)) * pitch), kBeside, 2);
     for (const int sign : {1, -1}) {
       if (n > 1 && sign != (k % 2 == 0 ? 1 : -1)) continue;  // one at each end
@@ -80,7 +80,7 @@ bool Habits::sit_by_fire(int item) {
     Case& c = f.add().when(*fire, states);
     const bool pairs = n > kMostAbreast;
     const std::int64_t row = k / 2, sign = k % 2 == 0 ? 1 : -1;
-    const std::int64_t beside = pairs ? sign * (kTalkingApart + size.depth) : (2 * k - (n - 1)) * (size.width + kBetween);
+    const std::int64_t beside = pairs ? sign * (measures().talking_apart + size.depth) : (2 * k - (n - 1)) * (size.width + kBetween);
     c.when(item, states_looking(self, pairs ? Direction{across(front), sign > 0 ? -1 : 1} : opposite(front)));
     c.wish(mid2(item, across(front)) - mid2(*fire, across(front)) - Linear(beside), kBeside, 2);
     c.wish(gap_towards(item, *fire, front) - Linear(pairs ? kOffInPairs + row * (size.width + kAbreast) : kOff), kBeside);
@@ -110,7 +110,8 @@ bool Habits::sit_to_talk(int item) {
       c.when(item, states_looking(self, front)).wish(mid2(item, front.axis) - mid2(seats[0], front.axis), kBeside, 2);
       return;
     }
-    c.when(item, states_looking(self, opposite(front))).wish(gap_towards(item, seats[0], front) - Linear(kTalkingApart), kBeside);
+    c.when(item, states_looking(self, opposite(front)))
+        .wish(gap_towards(item, seats[0], front) - Linear(measures().talking_apart), kBeside);
   });
   habit("face to face", item, kBeside, std::move(f), {seats[0]});
   return true;

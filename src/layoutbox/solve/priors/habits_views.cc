@@ -1,4 +1,5 @@
 // Habits of who looks at something: into a mirror, at a screen.
+#include "layoutbox/catalog/measures.h"
 #include "layoutbox/solve/priors/habits.h"
 
 namespace layoutbox::placement {
@@ -114,13 +115,12 @@ void Habits::stay_before_screen(int item, int screen) {
 
 // A screen is watched from no farther than one sees it well.
 void Habits::watch_from_near(int item, int screen) {
-  constexpr Mm kFarthest = 3800;
   constexpr int kTooFar = 150;  // points a metre
   Formula f;
   for_each_turn(model_.items[item], [&](int turn, std::uint64_t states) {
     if (turn % 90 != 0) return;
     const Direction front = side_direction(model_.items[item], Side::kFront, turn);
-    f.add().when(item, states).require(Linear(kFarthest) - gap_towards(screen, item, front));
+    f.add().when(item, states).require(Linear(measures().watched_from) - gap_towards(screen, item, front));
   });
   habit("near enough to see", item, kTooFar, std::move(f));
 }

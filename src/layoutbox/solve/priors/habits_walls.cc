@@ -1,4 +1,5 @@
 // Habits towards walls: backs to them, in their corners, off them where that is better.
+#include "layoutbox/catalog/measures.h"
 #include "layoutbox/solve/objective/cost.h"
 #include "layoutbox/solve/priors/habits.h"
 
@@ -102,16 +103,16 @@ bool Habits::has_bedside(int bed) const {
 
 // A fridge in the middle of a kitchen's run would part the worktop.
 bool Habits::ends_run(int item) const {
-  constexpr Mm kTall = 1200;
   const Item& self = model_.items[item];
-  if (!self.is(Trait::kKitchenRun) || self.states.empty() || self.states[0].size.height < kTall) return false;
+  if (!self.is(Trait::kKitchenRun) || self.states.empty() || self.states[0].size.height < measures().tall_from) return false;
   const bool placed = std::ranges::any_of(model_.scene->relations, [&](const Relation& r) {
     const bool where = r.type != RelationType::kInRegion && r.type != RelationType::kAgainstWall && r.type != RelationType::kCorner;
     return where && std::ranges::find(r.targets, self.id) != r.targets.end();
   });
   if (placed) return false;
   return std::ranges::any_of(model_.items, [&](const Item& other) {
-    return &other != &self && other.is(Trait::kKitchenRun) && other.mount == Mount::kFloor && other.states[0].size.height < kTall;
+    return &other != &self && other.is(Trait::kKitchenRun) && other.mount == Mount::kFloor &&
+           other.states[0].size.height < measures().tall_from;
   });
 }
 

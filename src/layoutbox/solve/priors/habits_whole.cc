@@ -1,4 +1,5 @@
 // Habits of the room as a whole: things spread over it, a class before its board.
+#include "layoutbox/catalog/measures.h"
 #include "layoutbox/solve/priors/habits.h"
 
 namespace layoutbox::placement {
@@ -123,7 +124,6 @@ void Habits::hang_on_blank_wall(int board) {
 
 // The teacher looks the way the board does, and stands on its side of the room.
 void Habits::face_the_class(int item) {
-  constexpr Mm kFromBoard = 1200;
   if (!faces_a_class(item)) return;
   const int board = board_of_room();
   Formula f;
@@ -131,7 +131,7 @@ void Habits::face_the_class(int item) {
     if (turn % 90 != 0) return;
     const Direction front = side_direction(model_.items[board], Side::kFront, turn);
     Case& c = f.add().when(board, states).when(item, model_.items[item].states_at(turn));
-    c.wish(gap_towards(item, board, front) - Linear(kFromBoard), kFaces);
+    c.wish(gap_towards(item, board, front) - Linear(measures().from_board), kFaces);
   });
   if (!f.cases.empty()) habit("faces the class", item, kFaces, std::move(f), {board});
 }
