@@ -241,6 +241,16 @@ bool Chunker::read_bare_length() {
   return true;
 }
 
+// In metres, of lengths that nobody gave a unit: "a bed (140x200)", "BED 1.6x2.0", "a rug 2 x 3"; 0: they may be anything.
+double Chunker::bare_unit(const std::vector<double>& values) const {
+  constexpr double kFewestCentimetres = 30, kMostMetres = 5;
+  if (values.size() < 2) return 0;
+  const auto [least, most] = std::ranges::minmax(values);
+  if (least >= kFewestCentimetres) return 0.01;
+  const bool of_one = previous() == ChunkKind::kNoun && chunks_.back().noun.kind == NounKind::kObject && !chunks_.back().noun.plural;
+  return of_one && most <= kMostMetres ? 1 : 0;
+}
+
 bool Chunker::read_size_chunk() {
   SaidSize size;
   if (const std::size_t taken = previous() == ChunkKind::kStop ? 0 : read_size_of(lexicon_, tokens_, i_, size);
@@ -277,11 +287,7 @@ bool Chunker::read_size_chunk() {
     }
     break;
   }
-  constexpr double kFewestCentimetres = 30;  // "a bed (140x200)"
-  if (unit == 0 && values.size() > 1 && *std::min_element(values.begin(), values.end()) >= kFewestCentimetres) unit = 0.01;
-  constexpr double kMostMetres = 5;  // "BED 1.6x2.0", "a rug 2 x 3"
-  const bool of_one = previous() == ChunkKind::kNoun && chunks_.back().noun.kind == NounKind::kObject && !chunks_.back().noun.plural;
-  if (unit == 0 && values.size() > 1 && of_one && *std::max_element(values.begin(), values.end()) <= kMostMetres) unit = 1;
+  if (unit == 0) unit = bare_unit(values);
   if (values.size() < 2 || unit == 0 || noun_goes_on(lexicon_, tokens_, at)) return false;
   // One unit at the end holds for all: "120 x 60 cm".
   std::size_t check = i_;

@@ -144,6 +144,7 @@ class Chunker {
   // "in three rows", "in rows of four", "in two rows of six".
   bool read_rows();
   // A size by itself: "120 cm wide", "2 m by 1 m", "(1.6 x 2.0 m)".
+  double bare_unit(const std::vector<double>& values) const;
   bool read_size_chunk();
   bool read_lettered_size();
   bool read_bare_length();
