@@ -261,6 +261,8 @@ class RelationBuilder {
   bool lies_folded(const std::string& object, const NounPhrase& noun) const;
   bool is_carried(const std::string& object) const;
   void soften_middles();
+  void soften_overhead();
+  void stand_before_glass();
   void note_contradictions();
   const Catalog& catalog_;
   Document& document_;
