@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "layoutbox/plan/offline/english.h"
+#include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/splice.h"
 
 namespace layoutbox::offline {
