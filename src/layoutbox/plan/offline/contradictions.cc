@@ -51,6 +51,38 @@ void RelationBuilder::soften_middles() {
   }
 }
 
+// "Overhead, a chandelier hangs in the center of the room": over nothing else that was named.
+void RelationBuilder::soften_overhead() {
+  for (Relation& over : scene_.relations) {
+    if (over.type != R::kAbove || !over.asked() || over.targets.size() != 1 || !words_.have(over, "overhead")) continue;
+    const std::vector<std::size_t>& all = relations_of(over.targets.front());
+    if (std::none_of(all.begin(), all.end(), [&](std::size_t r) { return scene_.relations[r].type == R::kCenterOfRoom; })) continue;
+    over.hard = false;
+    over.origin = Origin::kConcluded;
+  }
+}
+
+// "Along the window" of glass down to the floor: before it.
+void RelationBuilder::stand_before_glass() {
+  constexpr Mm kBeforeGlass = 300;
+  for (Relation& under : scene_.relations) {
+    const SceneObject* thing = under.type == R::kUnderWindow && under.targets.size() == 1 ? object_of(under.targets[0]) : nullptr;
+    const CatalogEntry* entry = thing == nullptr ? nullptr : noun_of_object(*thing).entry;
+    if (entry == nullptr) continue;
+    const auto is_below = [&](const Opening& window) {
+      const bool meant = under.references.empty() || std::ranges::find(under.references, window.id) != under.references.end();
+      return window.type == OpeningType::kWindow && meant && 2 * window.sill >= entry->size.usual.height;
+    };
+    const bool glass = std::ranges::any_of(scene_.room.openings, [](const Opening& o) { return o.type == OpeningType::kWindow; });
+    if (!glass || std::ranges::any_of(scene_.room.openings, is_below)) continue;
+    const bool low = std::ranges::all_of(scene_.room.openings,
+                                         [](const Opening& o) { return o.type != OpeningType::kWindow || o.sill <= kBeforeGlass; });
+    if (!low) continue;
+    under.type = R::kNearWindow;
+    under.parameters.max = kBeforeGlass;
+  }
+}
+
 // "the bed in the middle with its head against the wall": in the middle of the wall.
 void RelationBuilder::center_on_walls() {
   for (Relation& wall : scene_.relations) {
@@ -70,6 +102,8 @@ void RelationBuilder::center_on_walls() {
 void RelationBuilder::note_contradictions() {
   center_on_walls();
   soften_middles();
+  soften_overhead();
+  stand_before_glass();
   constexpr std::size_t kMost = 20;  // relations of one thing that are compared
   for (const SceneObject& object : scene_.objects) {
     const std::vector<std::size_t>& all = relations_of(object.id);

@@ -170,18 +170,16 @@ void settle_opening_walls(const Lexicon& lexicon, Document& document) {
 
 namespace {
 
-// "on the short side", "at one end", "opposite": which wall, by its length or by the other opening, and where the words end; none: "".
-std::pair<std::string, std::size_t> end_said_at(const Document& document, std::size_t i) {
+using WallSaid = std::pair<std::string, std::size_t>;  // which wall, and where the words end; none: ""
+
+// Several walls, or one by another opening: "at both ends", "in each of the long walls", "opposite it", "on the same wall".
+WallSaid walls_said_at(const Document& document, std::size_t i) {
   const auto is = [&](std::size_t at, std::initializer_list<std::string_view> words) { return says_one_of(document, at, words); };
-  // "door on the short side, balcony door opposite."
-  if (is(i, {"directly", "right", "straight"}) && is(i + 1, {"opposite"})) ++i;
   if (is(i, {"opposite"}) && is(i + 1, {"it", "that"})) return {"other", i + 2};
-  const bool across = is(i, {"opposite"}) && (i + 1 >= document.tokens.size() || document.tokens[i].ends_sentence ||
-                                              document.tokens[i + 1].kind == Token::Kind::kPunctuation);
   if (is(i, {"on", "in"}) && is(i + 1, {"the"}) && is(i + 2, {"same"}) && is(i + 3, {"wall", "side"})) return {"same", i + 4};
   if (is(i, {"at", "on"}) && is(i + 1, {"both", "each", "either"}) && is(i + 2, {"end", "ends"}))
     return {"ends", i + (is(i + 3, {"of"}) && is(i + 4, {"the", "it"}) ? is(i + 4, {"it"}) ? 5 : 6 : 3)};
-  // "on both long walls", "in each of the short walls", "one per long wall"
+  // "on both long walls", "one per long wall"
   const bool per = is(i, {"per"});
   if (per || (is(i, {"at", "on", "in", "along"}) && is(i + 1, {"both", "each"}))) {
     std::size_t wall = i + (per ? 1 : 2);
@@ -191,6 +189,17 @@ std::pair<std::string, std::size_t> end_said_at(const Document& document, std::s
   }
   if (is(i, {"on", "in", "along"}) && is(i + 1, {"two", "three", "both"}) && is(i + 2, {"sides", "walls"})) return {"sides", i + 3};
   if (is(i, {"opposite", "facing"}) && is(i + 1, {"each"}) && is(i + 2, {"other"})) return {"across", i + 3};
+  return {};
+}
+
+// "on the short side", "at one end", "opposite": which wall, by its length or by the other opening.
+WallSaid end_said_at(const Document& document, std::size_t i) {
+  const auto is = [&](std::size_t at, std::initializer_list<std::string_view> words) { return says_one_of(document, at, words); };
+  if (is(i, {"directly", "right", "straight"}) && is(i + 1, {"opposite"})) ++i;
+  if (WallSaid walls = walls_said_at(document, i); !walls.first.empty()) return walls;
+  // "door on the short side, balcony door opposite."
+  const bool across = is(i, {"opposite"}) && (i + 1 >= document.tokens.size() || document.tokens[i].ends_sentence ||
+                                              document.tokens[i + 1].kind == Token::Kind::kPunctuation);
   if (!across && !is(i++, {"at", "on", "in"})) return {};
   while (is(i, {"the", "one", "a", "of", "its", "two"})) ++i;
   std::string word;

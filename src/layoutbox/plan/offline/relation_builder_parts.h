@@ -109,6 +109,7 @@ class RelationBuilder {
   bool add_under_hung(const Link& link, const PhraseSense& sense, const Mention& target, const std::vector<int>& references);
   bool add_by_carrier(const Link& link, const PhraseSense& sense, const Mention& target, int reference);
   bool hangs_over(const PhraseSense& sense, const Mention& target, const std::vector<int>& references) const;
+  bool add_over_table_between(const Link& link, const PhraseSense& sense, const Mention& target, const std::vector<int>& references);
   void add_for_each(const Link& link, PhraseSense sense, const Mention& target, const std::vector<int>& references);
   void add_in_middle(const Link& link, const PhraseSense& sense, const std::vector<int>& targets);
   bool in_ring(const std::vector<int>& targets, const std::vector<int>& references) const;
@@ -261,6 +262,8 @@ class RelationBuilder {
   bool lies_folded(const std::string& object, const NounPhrase& noun) const;
   bool is_carried(const std::string& object) const;
   void soften_middles();
+  void soften_overhead();
+  void stand_before_glass();
   void note_contradictions();
   const Catalog& catalog_;
   Document& document_;

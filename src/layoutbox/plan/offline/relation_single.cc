@@ -222,6 +222,18 @@ void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Ment
   add_for_each(link, sense, target, references);
 }
 
+// "A fan over them", of two armchairs: over the table that is between them.
+bool RelationBuilder::add_over_table_between(const Link& link, const PhraseSense& sense, const Mention& target,
+                                             const std::vector<int>& references) {
+  if (sense.type != R::kAbove || target.items.size() != 1 || references.size() != 2 || mount_of(target.noun) != Mount::kCeiling)
+    return false;
+  const auto between = std::ranges::find_if(
+      scene_.relations, [&](const Relation& r) { return r.type == R::kBetween && r.references == ids(references) && !r.targets.empty(); });
+  if (between == scene_.relations.end()) return false;
+  add(link, R::kAbove, ids(target.items), {between->targets.front()});
+  return true;
+}
+
 // As many as there are references: one for each; more: shared out; fewer: by all that can be so.
 void RelationBuilder::add_for_each(const Link& link, PhraseSense sense, const Mention& target, const std::vector<int>& references) {
   const bool seat_at = references.size() > 1 && sits_at(link, sense, target.noun, noun_of_item(references.front()));
@@ -233,13 +245,7 @@ void RelationBuilder::add_for_each(const Link& link, PhraseSense sense, const Me
   const std::size_t n = target.items.size(), m = references.size();
   // "a bouquet waits behind both", "to the left of the monitors": of all of them.
   const bool both = sense.type == R::kAbove && m == 2 && says_one_of(document_, link.last - 1, {"both"});  // "a shelf above both"
-  // "A fan over them", of two armchairs: over the table that is between them.
-  if (sense.type == R::kAbove && n == 1 && m == 2 && mount_of(target.noun) == Mount::kCeiling) {
-    const auto between = std::ranges::find_if(scene_.relations, [&](const Relation& r) {
-      return r.type == R::kBetween && r.references == ids(references) && !r.targets.empty();
-    });
-    if (between != scene_.relations.end()) return add(link, R::kAbove, ids(target.items), {between->targets.front()});
-  }
+  if (add_over_table_between(link, sense, target, references)) return;
   const bool sided = both || sense.type == R::kBehind || sense.type == R::kLeftOf || sense.type == R::kRightOf;
   const bool all = sense.type == R::kInFrontOf || sense.type == R::kOpposite || sided;
   if (sense.type == R::kOpposite && m == 1 && n > 1) {  // as a group

@@ -164,10 +164,10 @@ void set_size(const Document& document, RoomSize size, SceneGraph& scene) {
 }
 
 // Which wall a place says: "in the middle of the short wall", "opposite the door" (the one across from it).
-std::string wall_said(const Link& link, const NounPhrase& by) {
+std::string wall_said(const Link& link, const NounPhrase& by, NounKind of) {
   if (is_opening(by)) {
     const bool across = std::ranges::any_of(link.senses, [](const PhraseSense& sense) { return sense.type == RelationType::kOpposite; });
-    return across ? "across" : "";
+    return !across ? "" : by.kind == of ? "other" : "across";  // "a second door opposite the entrance"
   }
   const NounPhrase& wall = by.kind == NounKind::kCenter && by.of ? *by.of : by;
   const auto is_across = [&](std::string_view word) {
@@ -187,8 +187,7 @@ PlacedOpenings placed_openings(const Document& document) {
       std::string wall = mention.noun.wall_word, corner;
       for (const int reference : link.references) {
         const NounPhrase& by = document.mentions[static_cast<std::size_t>(reference)].noun;
-        std::string said = wall_said(link, by);
-        if (said == "across" && by.kind == mention.noun.kind) said = "other";  // "a second door opposite the entrance"
+        const std::string said = wall_said(link, by, mention.noun.kind);
         // "windows in the left and back walls": of several one in each, as they are named.
         const bool many = openings_said(mention.noun) > 1 || mention.noun.plural;
         if (by.kind == NounKind::kWall && !said.empty() && !wall.empty() && wall != said && many) placed.push_back({&mention, wall, {}});

@@ -143,6 +143,9 @@ bool UnitReader::tells_of_end_of_room(std::size_t k) const {
     const bool of_end = is(c, ChunkKind::kRelation) && chunk(c).phrase.one && chunk(c).last - chunk(c).first >= 2 &&
                         document_.tokens[chunk(c).last - 2].text == "end" && document_.tokens[chunk(c).last - 1].text == "of";
     if (of_end && is(next(c), ChunkKind::kNoun) && chunk(next(c)).noun.kind == NounKind::kRoom) return true;
+    // "One end of the room is given over to a bar; at the other end …"
+    const NounPhrase* end = is(c, ChunkKind::kNoun) && chunk(c).noun.head == "end" ? &chunk(c).noun : nullptr;
+    if (end != nullptr && end->of && end->of->kind == NounKind::kRoom) return true;
   }
   return false;
 }
