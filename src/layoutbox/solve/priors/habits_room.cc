@@ -59,15 +59,24 @@ bool Habits::middle_is_taken(int item) const {
 }
 
 // Seats that words put there, or that usually stand there and are nowhere else.
-bool Habits::has_sitters(int item) const {
+bool Habits::has_sitters(int item) const { return sitters_of(item) > 0; }
+
+// The only one who sits there works there, and has the wall or the window before him.
+bool Habits::is_sat_at_alone(int item) const {
+  constexpr std::int64_t kForOne = 1'600'000;  // mm²
+  return model_.items[item].is(Trait::kTable) && area_of(model_.items[item]) <= kForOne && sitters_of(item) == 1;
+}
+
+int Habits::sitters_of(int item) const {
+  int sitters = 0;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     const int seat = static_cast<int>(i);
     if (!model_.items[i].is(Trait::kTableSeat) || !takes_seat(item, seat)) continue;
     const std::vector<std::string>& at = model_.items[i].entry->beside;
     const bool usual = std::ranges::any_of(at, [&](const std::string& kind) { return model_.is_a(item, kind); });
-    if (related(seat, item) || (usual && !placed_besides_facing(seat))) return true;
+    sitters += related(seat, item) || (usual && !placed_besides_facing(seat));
   }
-  return false;
+  return sitters;
 }
 
 void Habits::stand_in_middle(int item) {
