@@ -41,25 +41,6 @@ void widen_mirrors(NormalizeContext& context) {
   }
 }
 
-bool is_window(const SceneGraph& scene, const std::string& id) {
-  return std::ranges::any_of(scene.room.openings, [&](const Opening& o) { return o.id == id && o.type == OpeningType::kWindow; });
-}
-
-// Curtains "on", "over" or "in front of" a window hang at it: none of them stands on its sill or hangs above it.
-void hang_at_windows(NormalizeContext& context) {
-  using enum RelationType;
-  SceneGraph& scene = context.scene;
-  const auto is_curtain = [&](const std::string& id) {
-    const SceneObject* object = scene.find_object(id);
-    return object != nullptr && object->mount == Mount::kWall && context.catalog.entry_or_nearest(object->category).is(Trait::kCurtain);
-  };
-  for (Relation& r : scene.relations) {
-    const bool placed = r.type == kOn || r.type == kAbove || r.type == kInFrontOf || r.type == kNear;
-    if (!placed || r.references.empty() || !std::ranges::all_of(r.targets, is_curtain)) continue;
-    if (std::ranges::all_of(r.references, [&](const std::string& id) { return is_window(scene, id); })) r.type = kNextTo, r.parameters = {};
-  }
-}
-
 // The window that the curtain is told to be at; -1: any.
 int window_told(const SceneGraph& scene, const std::vector<const Opening*>& windows, const std::string& curtain) {
   for (const Relation& r : scene.relations) {
@@ -72,8 +53,25 @@ int window_told(const SceneGraph& scene, const std::vector<const Opening*>& wind
 
 }  // namespace
 
+void hang_curtains_at_windows(NormalizeContext& context) {
+  using enum RelationType;
+  SceneGraph& scene = context.scene;
+  const auto is_curtain = [&](const std::string& id) {
+    const SceneObject* object = scene.find_object(id);
+    if (object == nullptr) return false;
+    const CatalogEntry& entry = context.catalog.entry_or_nearest(object->category);
+    return entry.mount == Mount::kWall && entry.is(Trait::kCurtain);
+  };
+  const auto is_window = [](const std::string& id) { return id.starts_with(name_of(OpeningType::kWindow)); };
+  for (Relation& r : scene.relations) {
+    const bool placed = r.type == kOn || r.type == kAbove || r.type == kInFrontOf || r.type == kNear;
+    if (!placed || r.references.empty() || !std::ranges::all_of(r.targets, is_curtain) || !std::ranges::all_of(r.references, is_window))
+      continue;
+    r.type = kNextTo, r.parameters = {};
+  }
+}
+
 void normalize_curtains(NormalizeContext& context) {
-  hang_at_windows(context);
   std::vector<const Opening*> windows;
   for (const Opening& opening : context.scene.room.openings) {
     if (opening.type == OpeningType::kWindow) windows.push_back(&opening);

@@ -54,9 +54,11 @@ TEST(NormalizeGuests, AWorktopOverAWashingMachineIsABoardAndTheMachineWholeSized
 
 // A telescope on a desk is a small one; a dryer on its washing machine is as large as that.
 TEST(NormalizeGuests, MachinesAreStackedInTheirOwnSize) {
-  const SceneGraph scene = normalized(scene_of({object("washing_machine_1", "washing_machine"), object("dryer_1", "dryer")},
-                                               {relation(RelationType::kOn, {"dryer_1"}, {"washing_machine_1"})}));
-  EXPECT_EQ(scene.objects[1].size, catalog().find("dryer")->size);
+  const auto scene = normalize_scene(scene_of({object("washing_machine_1", "washing_machine"), object("dryer_1", "dryer")},
+                                              {relation(RelationType::kOn, {"dryer_1"}, {"washing_machine_1"})}),
+                                     Catalog::builtin());
+  ASSERT_TRUE(scene);
+  EXPECT_EQ(scene->objects[1].size, Catalog::builtin().find("dryer")->size);
 }
 
 // What is in it needs its shelf: legs would leave none.

@@ -167,7 +167,8 @@ class Companions {
     const SceneObject thing = scene_.objects[i];
     const CatalogEntry* entry = catalog_.find(thing.category);
     const SceneObject* sized = sized_.find_object(thing.id);
-    if (entry == nullptr || entry->mount != Mount::kSurface || sized == nullptr || !sized->size || sized->mount != Mount::kFloor) return;
+    if (entry == nullptr || entry->mount != Mount::kSurface || sized == nullptr || !sized->size) return;
+    if (sized->mount != Mount::kFloor && !only_carriers_are_elsewhere(thing, *entry)) return;
     const auto is_such = [&](const std::string& kind) { return catalog_.is_a(thing.category, kind); };
     if (std::ranges::none_of(groups_.carried, is_such)) return;  // dolls, baskets and bowls may well lie on the floor
     const auto sides = [&](const Relation& r) {
@@ -182,6 +183,24 @@ class Companions {
     const std::string id = own || shared.empty() ? add(*host) : shared;
     if (!own) shared = id;
     relate(RelationType::kOn, {thing.id}, id);
+  }
+
+  // A sewing machine under the window, where the only table has the middle of the room.
+  bool only_carriers_are_elsewhere(const SceneObject& thing, const CatalogEntry& entry) const {
+    const auto told = [&](const std::string& id, auto&& matches) {
+      return std::ranges::any_of(scene_.relations, [&](const Relation& r) { return targets(r, id) && matches(r.type); });
+    };
+    const auto at_edge = [](RelationType type) {
+      return type == RelationType::kUnderWindow || type == RelationType::kCorner || type == RelationType::kAgainstWall;
+    };
+    if (!told(thing.id, at_edge)) return false;
+    bool any = false;
+    for (const SceneObject& object : scene_.objects) {
+      if (std::ranges::none_of(entry.stands_on, [&](const std::string& kind) { return catalog_.is_a(object.category, kind); })) continue;
+      if (!told(object.id, [](RelationType type) { return type == RelationType::kCenterOfRoom; })) return false;
+      any = true;
+    }
+    return any;
   }
 
   static bool targets(const Relation& relation, const std::string& id) {

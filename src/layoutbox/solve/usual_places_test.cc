@@ -39,6 +39,32 @@ TEST(UsualPlaces, WhoSitsAtATableAloneHasAWallOrAWindowBeforeHim) {
   EXPECT_LT(between(layout, "table_1", "chair_1"), 1000);
 }
 
+TEST(UsualPlaces, LeavesOfTwoDoorsDoNotMeet) {
+  SceneMaker maker = SceneMaker(3500, 4200).opening(OpeningType::kDoor, "wall2", 100).add("single_bed");
+  maker.opening(OpeningType::kDoor, "", std::nullopt).opening(OpeningType::kWindow, "", std::nullopt, 1200, 900, 1200);
+  const Layout layout = solved_as_asked(maker.make());
+  const Opening &fixed = layout.room.openings[0], &free = layout.room.openings[1];
+  ASSERT_TRUE(fixed.offset && free.offset);
+  // From the corner of the front and the right wall, where both would be.
+  if (free.wall == "wall1") {
+    EXPECT_LT(*free.offset + free.width, 3500 - fixed.width + 1);
+  } else if (free.wall == "wall2") {
+    EXPECT_GE(*free.offset, *fixed.offset + fixed.width + free.width);
+  }
+}
+
+TEST(UsualPlaces, ADeskThatFacesAWindowStandsAtIt) {
+  const Layout layout = solved_as_asked(SceneMaker(4500, 3500)
+                                            .opening(OpeningType::kWindow, "wall4", 1200, 1200, 900, 1200)
+                                            .opening(OpeningType::kDoor, "wall1", 200)
+                                            .add("desk")
+                                            .add("office_chair")
+                                            .add("loveseat")
+                                            .relate("facing", {"desk_1"}, {"window1"})
+                                            .make());
+  EXPECT_LT(layout.find_object("desk_1")->position[0], 600);
+}
+
 TEST(UsualPlaces, BunkBedsKeepToCorners) {
   const Layout layout = solved_as_asked(SceneMaker(4000, 3600).add("bunk_bed", 2).make(true));
   for (const std::string id : {"bunk_bed_1", "bunk_bed_2"}) {

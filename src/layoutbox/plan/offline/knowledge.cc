@@ -127,6 +127,12 @@ bool lies_or_hangs(const NounPhrase& item) {
 
 }  // namespace
 
+bool is_for_several(const NounPhrase& noun) {
+  constexpr int kLong = 2;
+  return noun.entry != nullptr && !noun.plural && noun.entry->is(Trait::kSeat) &&
+         noun.entry->size.usual.width >= kLong * noun.entry->size.usual.depth;
+}
+
 bool may_carry(const Catalog& catalog, const NounPhrase& host, const NounPhrase& item) {
   if (host.kind != NounKind::kObject) return false;
   const Mount mount = mount_of(item);

@@ -9,7 +9,10 @@ using R = RelationType;
 
 // "a wardrobe along the whole left wall": as long as the wall, or as what else has to be there lets it be.
 void RelationBuilder::fill_whole_walls() {
-  const Point far = scene_.room.polygon.size() == 4 ? scene_.room.polygon[2] : Point{};
+  Point far = scene_.room.polygon.size() == 4 ? scene_.room.polygon[2] : Point{};
+  const bool sized = !scene_.room.polygon.empty() || scene_.room.area_m2 || !scene_.room.size_word.empty();
+  const RoomKind* kind = sized ? nullptr : catalog_.find_room(scene_.room.type);
+  if (kind != nullptr) far = {kind->usual_size.width, kind->usual_size.depth};
   if (far.x == 0) return;
   for (const Relation& along : scene_.relations) {
     if (along.type != R::kAgainstWall || along.targets.size() != 1 || !words_.have(along, WordSet::kWholeWalls)) continue;
