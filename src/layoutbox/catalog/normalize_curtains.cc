@@ -41,12 +41,40 @@ void widen_mirrors(NormalizeContext& context) {
   }
 }
 
+// The window that the curtain is told to be at; -1: any.
+int window_told(const SceneGraph& scene, const std::vector<const Opening*>& windows, const std::string& curtain) {
+  for (const Relation& r : scene.relations) {
+    if (r.type != RelationType::kNextTo || !names(r.targets, curtain) || r.references.size() != 1) continue;
+    const auto at = std::ranges::find(windows, r.references[0], [](const Opening* o) { return o->id; });
+    if (at != windows.end()) return static_cast<int>(at - windows.begin());
+  }
+  return -1;
+}
+
 }  // namespace
 
+void hang_curtains_at_windows(NormalizeContext& context) {
+  using enum RelationType;
+  SceneGraph& scene = context.scene;
+  const auto is_curtain = [&](const std::string& id) {
+    const SceneObject* object = scene.find_object(id);
+    if (object == nullptr) return false;
+    const CatalogEntry& entry = context.catalog.entry_or_nearest(object->category);
+    return entry.mount == Mount::kWall && entry.is(Trait::kCurtain);
+  };
+  const auto is_window = [](const std::string& id) { return id.starts_with(name_of(OpeningType::kWindow)); };
+  for (Relation& r : scene.relations) {
+    const bool placed = r.type == kOn || r.type == kAbove || r.type == kInFrontOf || r.type == kNear;
+    if (!placed || r.references.empty() || !std::ranges::all_of(r.targets, is_curtain) || !std::ranges::all_of(r.references, is_window))
+      continue;
+    r.type = kNextTo, r.parameters = {};
+  }
+}
+
 void normalize_curtains(NormalizeContext& context) {
-  std::vector<Mm> windows;
+  std::vector<const Opening*> windows;
   for (const Opening& opening : context.scene.room.openings) {
-    if (opening.type == OpeningType::kWindow) windows.push_back(opening.width);
+    if (opening.type == OpeningType::kWindow) windows.push_back(&opening);
   }
   for (SceneObject& object : context.scene.objects) {
     const CatalogEntry& entry = context.catalog.entry_or_nearest(object.category);
@@ -62,12 +90,17 @@ void normalize_curtains(NormalizeContext& context) {
     const CatalogEntry& entry = context.catalog.entry_or_nearest(object.category);
     if (entry.is(Trait::kCurtain) && entry.mount == Mount::kWall && object.size) curtains.push_back(&object);
   }
-  for (std::size_t i = 0; i < curtains.size() && !windows.empty(); ++i) {
+  if (windows.empty()) return;
+  std::vector<std::size_t> window_of;
+  for (std::size_t i = 0; i < curtains.size(); ++i) {
+    const int told = window_told(context.scene, windows, curtains[i]->id);
+    window_of.push_back(told >= 0 ? static_cast<std::size_t>(told) : i % windows.size());
+  }
+  for (std::size_t i = 0; i < curtains.size(); ++i) {
     SceneObject& curtain = *curtains[i];
     if (curtain.size_source != SizeSource::kCatalog || !curtain.catalog_id.empty()) continue;
-    const std::size_t window = i % windows.size();
-    const auto sharing = static_cast<Mm>((curtains.size() - window + windows.size() - 1) / windows.size());
-    const Mm width = (windows[window] + 2 * kBeyondFrame) / sharing;
+    const auto sharing = static_cast<Mm>(std::ranges::count(window_of, window_of[i]));
+    const Mm width = (windows[window_of[i]]->width + 2 * kBeyondFrame) / sharing;
     SizeRange& size = *curtain.size;
     size.usual.width = std::min(width, size.greatest.width);
     size.least.width = std::min(size.least.width, size.usual.width);

@@ -134,8 +134,11 @@ double share_on_top(const Catalog& catalog, const SceneObject& host, const Scene
   if (top.height <= kLow && 1.0 * top.width * top.depth >= kPlatform)
     return share_that_fits(guest.size->least, top.width, top.depth, guest.size->least.height);
   if (catalog.entry_or_nearest(guest.category).is(Trait::kBed)) return 1;  // nobody sleeps in a toy
-  if (guest.category == host.category) return 1;                           // a stack
-  const bool stands_on_floor = catalog.entry_or_nearest(guest.category).mount == Mount::kFloor && guest.mount == Mount::kSurface;
+  const CatalogEntry &entry = catalog.entry_or_nearest(guest.category), &below = catalog.entry_or_nearest(host.category);
+  constexpr Mm kStack = 1900;
+  const bool alike = entry.shape.family == below.shape.family && top.height + guest.size->least.height <= kStack;
+  if (guest.category == host.category || (alike && !below.shape.family.empty())) return 1;  // a stack: a dryer on its washing machine
+  const bool stands_on_floor = entry.mount == Mount::kFloor && guest.mount == Mount::kSurface;
   if (!stands_on_floor || catalog.entry_or_nearest(host.category).thin) return 1;
   return share_that_fits(guest.size->least, kOfTop * host.size->usual.width, kOfTop * host.size->usual.depth, kTallest);
 }

@@ -215,6 +215,25 @@ void seat_at_one_side(const SceneGraph& scene, std::map<std::string, Contents>& 
   }
 }
 
+// A bench at the long side of a table is nearly as long as that.
+void stretch_benches(const NormalizeContext& context) {
+  constexpr Mm kShorter = 200, kLongest = 2600;
+  SceneGraph& scene = context.scene;
+  for (const Relation& r : scene.relations) {
+    if (r.type != RelationType::kAlongSide || r.targets.size() != 1 || r.references.size() != 1) continue;
+    const auto bench = std::ranges::find(scene.objects, r.targets.front(), &SceneObject::id);
+    const SceneObject* table = scene.find_object(r.references.front());
+    if (bench == scene.objects.end() || !bench->size || bench->size_source != SizeSource::kCatalog || table == nullptr || !table->size)
+      continue;
+    const CatalogEntry& entry = context.catalog.entry_or_nearest(bench->category);
+    Size& usual = bench->size->usual;
+    const Mm length = std::min(std::max(table->size->usual.width, table->size->usual.depth) - kShorter, kLongest);
+    if (!entry.is(Trait::kSeat) || !bench->catalog_id.empty() || usual.width < 2 * usual.depth || length <= usual.width) continue;
+    usual.width = length;
+    bench->size->greatest.width = std::max(bench->size->greatest.width, length);
+  }
+}
+
 void fold_over_seats(const Catalog& catalog, SceneGraph& scene) {
   for (const Relation& relation : scene.relations) {
     if (relation.type != RelationType::kOn || relation.references.size() != 1) continue;
@@ -279,6 +298,7 @@ void normalize_hosts(NormalizeContext& context) {
                              metres_text(size.depth)),
                  fmt::format("/furniture/{}/dims", i));
   }
+  stretch_benches(context);
 }
 
 }  // namespace layoutbox

@@ -38,6 +38,7 @@ class OpeningNormalizer {
       settle_place(opening);
       if (opening.asked()) continue;
       const Mm wanted = width_of_what_is_under(opening);
+      raise_sill(opening);
       fit_assumed(opening, wanted > opening.width ? kShareOfWideWindow : kShareOfWindow,
                   std::max(opening.width, std::min(wanted, kWidestWindow)));
     }
@@ -146,6 +147,25 @@ class OpeningNormalizer {
     return width;
   }
 
+  // Above what is told to stand under it: a sink with its tap.
+  void raise_sill(Opening& window) const {
+    constexpr Mm kMostSill = 1250, kLeastGlass = 600;
+    if (window.type != OpeningType::kWindow) return;
+    Mm top = 0;
+    for (const Relation& relation : context_.scene.relations) {
+      const bool here = relation.references.empty() || names(relation.references, window.id);
+      if (relation.type != RelationType::kUnderWindow || !here) continue;
+      for (const SceneObject& object : context_.scene.objects) {
+        if (names(relation.targets, object.id) && object.size && object.mount == Mount::kFloor)
+          top = std::max(top, object.size->usual.height);
+      }
+    }
+    if (top <= window.sill || top > kMostSill) return;
+    const Mm head = window.sill + window.height;
+    window.sill = (top + kGridMm - 1) / kGridMm * kGridMm;
+    window.height = std::max(kLeastGlass, head - window.sill);
+  }
+
   bool is_sat_round(const std::string& id) const {
     return std::ranges::any_of(context_.scene.relations, [&](const Relation& relation) {
       return traits_of(relation.type).around && std::ranges::find(relation.references, id) != relation.references.end();
@@ -187,6 +207,7 @@ class OpeningNormalizer {
     window.origin = Origin::kAssumed;
     window.wall = wall_of_what_is_under(window);
     const Mm wanted = std::min(width_of_what_is_under(window), kWidestWindow);
+    raise_sill(window);
     fit_assumed(window, wanted > window.width ? kShareOfWideWindow : kShareOfWindow, std::max(window.width, wanted));
     if (window.height >= 300 && window.width >= 300) room_.openings.push_back(window);
     context_.note("filled", "no door or window is named: the room gets one of each, where they are least in the way", "/room/openings");

@@ -223,6 +223,19 @@ TEST(NormalizeRoom, AWindowIsAsWideAsWhatStandsUnderIt) {
   EXPECT_EQ(width(2, Origin::kAsked), 1200) << "a size that was said stays";
 }
 
+TEST(NormalizeRoom, AnAssumedWindowBeginsAboveWhatIsToldToStandUnderIt) {
+  SceneGraph scene;
+  scene.room.type = "kitchen";
+  scene.objects = {object("kitchen_sink_1", "kitchen_sink")};
+  scene.relations = {relation(RelationType::kUnderWindow, {"kitchen_sink_1"}, {})};
+  const auto settled = normalize_scene(scene, Catalog::builtin(), {});
+  ASSERT_TRUE(settled);
+  const auto window = std::ranges::find(settled->room.openings, OpeningType::kWindow, &Opening::type);
+  ASSERT_NE(window, settled->room.openings.end());
+  EXPECT_GE(window->sill, settled->objects[0].size->usual.height);
+  EXPECT_GE(window->height, 600);
+}
+
 TEST(NormalizeRoom, TheWindowOfARoomWithoutOneIsAsWideAsTheTablesAlongItAndTheirChairs) {
   std::vector<SceneObject> objects;
   std::vector<Relation> relations;

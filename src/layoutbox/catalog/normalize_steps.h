@@ -23,6 +23,9 @@ struct NormalizeContext {
   void error(ErrorCode code, std::string message, std::string pointer = {}, std::string hint = {});
 };
 
+// Curtains "on", "over" or "in front of" a window hang at it: none of them stands on its sill or hangs above it.
+void hang_curtains_at_windows(NormalizeContext& context);
+
 // Ids, categories, sizes, used sides and mounts of all objects.
 void normalize_objects(NormalizeContext& context);
 

@@ -52,6 +52,15 @@ TEST(NormalizeGuests, AWorktopOverAWashingMachineIsABoardAndTheMachineWholeSized
   EXPECT_GE(scene->objects[0].raised, scene->objects[1].size->usual.height);
 }
 
+// A telescope on a desk is a small one; a dryer on its washing machine is as large as that.
+TEST(NormalizeGuests, MachinesAreStackedInTheirOwnSize) {
+  const auto scene = normalize_scene(scene_of({object("washing_machine_1", "washing_machine"), object("dryer_1", "dryer")},
+                                              {relation(RelationType::kOn, {"dryer_1"}, {"washing_machine_1"})}),
+                                     Catalog::builtin());
+  ASSERT_TRUE(scene);
+  EXPECT_EQ(scene->objects[1].size, Catalog::builtin().find("dryer")->size);
+}
+
 // What is in it needs its shelf: legs would leave none.
 TEST(NormalizeGuests, FurnitureKeepsTheShelfOfWhatIsInIt) {
   const auto raised = [](std::vector<Relation> relations) {

@@ -41,6 +41,7 @@ Color color_of(const Json& json) { return {json[0].get<double>(), json[1].get<do
 struct Modifier {
   Color color;
   double share = 0;
+  std::optional<Color> alone;  // "a pale sofa": where it is said of no colour
 };
 
 // Everything that the two data files say, by phrase of words.
@@ -83,7 +84,8 @@ Tables read_tables() {
   }
   for (const auto& [words, color] : colors.at("colors").items()) tables.colors.emplace(phrase(words_of(words)), color_of(color));
   for (const auto& [word, modifier] : colors.at("modifiers").items()) {
-    tables.modifiers.emplace(word, Modifier{color_of(modifier.at("color")), modifier.at("share").get<double>()});
+    tables.modifiers.emplace(word, Modifier{color_of(modifier.at("color")), modifier.at("share").get<double>(),
+                                            modifier.contains("alone") ? std::optional(color_of(modifier.at("alone"))) : std::nullopt});
   }
   const auto note = [&](std::string_view said) {
     for (std::string& word : words_of(said)) tables.look_words.insert(std::move(word));
@@ -125,6 +127,7 @@ SurfaceWish read_wish(std::string_view text, std::span<const std::string> skip) 
   SurfaceWish wish;
   const std::vector<std::string> words = words_of(text);
   std::optional<Modifier> modifier;
+  std::optional<Color> alone;
   for (std::size_t i = 0; i < words.size();) {
     if (std::find(skip.begin(), skip.end(), words[i]) != skip.end()) {
       ++i;
@@ -144,8 +147,10 @@ SurfaceWish read_wish(std::string_view text, std::span<const std::string> skip) 
     }
     const auto found = tables().modifiers.find(words[i]);
     modifier = used == 0 && found != tables().modifiers.end() ? std::optional(found->second) : std::nullopt;
+    if (modifier && modifier->alone) alone = modifier->alone;
     i += std::max<std::size_t>(used, 1);
   }
+  if (!wish.color && wish.materials.empty()) wish.color = alone;
   return wish;
 }
 

@@ -41,6 +41,10 @@ TEST(Palette, LongerPhrasesWin) {
 TEST(Palette, ModifiersMixColours) {
   const SurfaceWish plain = read_wish("green"), pale = read_wish("pale green");
   ASSERT_TRUE(plain.color && pale.color);
+  const SurfaceWish alone = read_wish("pale sofa");
+  ASSERT_TRUE(alone.color);
+  EXPECT_GT(alone.color->g, 0.7F);
+  EXPECT_FALSE(read_wish("pale oak").color);
   EXPECT_GT(pale.color->r, plain.color->r);
 }
 

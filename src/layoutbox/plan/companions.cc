@@ -121,7 +121,8 @@ class Companions {
     const SceneObject thing = named_thing(i);
     const CatalogEntry* entry = catalog_.find(thing.category);
     const SceneObject* sized = scene_.sized(thing.id);
-    if (entry == nullptr || entry->mount != Mount::kSurface || sized == nullptr || !sized->size || sized->mount != Mount::kFloor) return;
+    if (entry == nullptr || entry->mount != Mount::kSurface || sized == nullptr || !sized->size) return;
+    if (sized->mount != Mount::kFloor && !only_carriers_are_elsewhere(thing.id, *entry)) return;
     const auto is_such = [&](const std::string& kind) { return catalog_.is_a(thing.category, kind); };
     if (std::ranges::none_of(groups_.carried, is_such)) return;  // dolls, baskets and bowls may well lie on the floor
     bool own = false;
@@ -136,6 +137,23 @@ class Companions {
     const std::string id = own || shared.empty() ? scene_.add(*host) : shared;
     if (!own) shared = id;
     scene_.relate(RelationType::kOn, {thing.id}, id);
+  }
+
+  // A sewing machine under the window, where the only table has the middle of the room.
+  bool only_carriers_are_elsewhere(const std::string& thing, const CatalogEntry& entry) const {
+    const auto is_told = [&](const std::string& id, std::initializer_list<RelationType> places) {
+      return std::ranges::any_of(scene_.relations_of(id), [&](std::size_t r) {
+        return std::ranges::find(places, scene_.graph().relations[r].type) != places.end();
+      });
+    };
+    if (!is_told(thing, {RelationType::kUnderWindow, RelationType::kCorner, RelationType::kAgainstWall})) return false;
+    bool any = false;
+    for (const SceneObject& object : scene_.graph().objects) {
+      if (std::ranges::none_of(entry.stands_on, [&](const std::string& kind) { return catalog_.is_a(object.category, kind); })) continue;
+      if (!is_told(object.id, {RelationType::kCenterOfRoom})) return false;
+      any = true;
+    }
+    return any;
   }
 
   bool has_bed() const {

@@ -146,6 +146,15 @@ TEST(Companions, AKitchenHasWorktops) {
   EXPECT_EQ(count_of(added_to("A kitchen with a hob and a table in the middle."), "base_cabinet"), 1);
 }
 
+TEST(Companions, WhatIsAtAWallHasATableThereWhereTheOnlyOneHasTheMiddle) {
+  const auto tables = [](const std::string& prompt) {
+    const std::vector<std::string> kinds = added_to(prompt);
+    return count_of(kinds, "sewing_table") + count_of(kinds, "desk") + count_of(kinds, "table");
+  };
+  EXPECT_EQ(tables("A sewing room with a cutting table in the middle and a sewing machine under the window."), 1);
+  EXPECT_EQ(tables("A sewing room with a cutting table in the middle and a sewing machine."), 0);
+}
+
 TEST(Companions, NeverWhereOnlyTheUsersArticlesMayBePlaced) {
   const Catalog only({Catalog::builtin().entries().begin(), Catalog::builtin().entries().end()}, {}, true);
   SceneGraph scene;

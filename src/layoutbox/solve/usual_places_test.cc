@@ -15,6 +15,67 @@ double between(const Layout& layout, const std::string& a, const std::string& b)
   return std::hypot(one->position[0] - other->position[0], one->position[1] - other->position[1]);
 }
 
+// "Curtains on the window": side by side before it, neither on its sill nor one before the other.
+TEST(UsualPlaces, CurtainsSaidToBeOnAWindowShareIt) {
+  const Layout layout = solved_as_asked(SceneMaker(4000, 3500)
+                                            .opening(OpeningType::kWindow, "wall3", 1400, 1200, 900, 1200)
+                                            .opening(OpeningType::kWindow, "wall4", 1000, 1200, 900, 1200)
+                                            .add("blackout_curtain", 2)
+                                            .relate("on", {"blackout_curtain_1", "blackout_curtain_2"}, {"window1"})
+                                            .make());
+  const PlacedObject &left = *layout.find_object("blackout_curtain_1"), &right = *layout.find_object("blackout_curtain_2");
+  EXPECT_LT(left.position[2], 100) << "down to the floor";
+  EXPECT_NEAR(left.position[1], right.position[1], 1) << "on one rod";
+  EXPECT_NEAR(std::abs(left.position[0] - right.position[0]), left.size.width, 20);
+  EXPECT_NEAR((left.position[0] + right.position[0]) / 2, 2000, 20);
+}
+
+TEST(UsualPlaces, WhoSitsAtATableAloneHasAWallOrAWindowBeforeHim) {
+  const Layout layout = solved_as_asked(SceneMaker(4000, 3500).add("table").add("chair").make(true));
+  const PlacedObject& table = *layout.find_object("table_1");
+  const double half = std::min(table.size.width, table.size.depth) / 2;
+  const double off = std::min({table.position[0], table.position[1], 4000 - table.position[0], 3500 - table.position[1]});
+  EXPECT_LT(off - half, 100);
+  EXPECT_LT(between(layout, "table_1", "chair_1"), 1000);
+}
+
+TEST(UsualPlaces, LeavesOfTwoDoorsDoNotMeet) {
+  SceneMaker maker = SceneMaker(3500, 4200).opening(OpeningType::kDoor, "wall2", 100).add("single_bed");
+  maker.opening(OpeningType::kDoor, "", std::nullopt).opening(OpeningType::kWindow, "", std::nullopt, 1200, 900, 1200);
+  const Layout layout = solved_as_asked(maker.make());
+  const Opening &fixed = layout.room.openings[0], &free = layout.room.openings[1];
+  ASSERT_TRUE(fixed.offset && free.offset);
+  // From the corner of the front and the right wall, where both would be.
+  if (free.wall == "wall1") {
+    EXPECT_LT(*free.offset + free.width, 3500 - fixed.width + 1);
+  } else if (free.wall == "wall2") {
+    EXPECT_GE(*free.offset, *fixed.offset + fixed.width + free.width);
+  }
+}
+
+TEST(UsualPlaces, ADeskThatFacesAWindowStandsAtIt) {
+  const Layout layout = solved_as_asked(SceneMaker(4500, 3500)
+                                            .opening(OpeningType::kWindow, "wall4", 1200, 1200, 900, 1200)
+                                            .opening(OpeningType::kDoor, "wall1", 200)
+                                            .add("desk")
+                                            .add("office_chair")
+                                            .add("loveseat")
+                                            .relate("facing", {"desk_1"}, {"window1"})
+                                            .make());
+  EXPECT_LT(layout.find_object("desk_1")->position[0], 600);
+}
+
+TEST(UsualPlaces, BunkBedsKeepToCorners) {
+  const Layout layout = solved_as_asked(SceneMaker(4000, 3600).add("bunk_bed", 2).make(true));
+  for (const std::string id : {"bunk_bed_1", "bunk_bed_2"}) {
+    const PlacedObject& bed = *layout.find_object(id);
+    const bool across = std::abs(std::remainder(bed.rotation_deg, 180)) > 45;
+    const double w = (across ? bed.size.depth : bed.size.width) / 2.0, d = (across ? bed.size.width : bed.size.depth) / 2.0;
+    EXPECT_LT(std::min(bed.position[0] - w, 4000 - bed.position[0] - w), 30) << id;
+    EXPECT_LT(std::min(bed.position[1] - d, 3600 - bed.position[1] - d), 30) << id;
+  }
+}
+
 TEST(UsualPlaces, ANightstandSaidToBeAtASideStandsByThePillow) {
   const Layout layout = solved_as_asked(
       SceneMaker(4400, 4000).add("bed").add("nightstand").add("wardrobe").relate("rightOf", {"nightstand_1"}, {"bed_1"}).make(true));

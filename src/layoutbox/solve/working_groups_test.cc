@@ -59,6 +59,22 @@ TEST(WorkingGroups, ScreensOfOneDeskStandInALine) {
   EXPECT_NEAR(seen_from(layout, "monitor_1", "monitor_2").y, 0, 30);
 }
 
+// Desks in islands whose chairs are told to be behind them have these on the outside, not beyond the desk across.
+TEST(WorkingGroups, WhoSitsBehindADeskOfAnIslandSitsAtItsScreen) {
+  SceneMaker maker(7000, 6000);
+  maker.add("desk", 6).add("office_chair", 6).add("monitor", 6);
+  for (const std::string k : {"1", "2", "3", "4", "5", "6"}) {
+    maker.relate("behind", {"office_chair_" + k}, {"desk_" + k}).relate("on", {"monitor_" + k}, {"desk_" + k});
+  }
+  const Layout layout = solved_as_asked(maker.make(true));
+  for (const std::string k : {"1", "2", "3", "4", "5", "6"}) {
+    EXPECT_LT(apart(layout, "desk_" + k, "office_chair_" + k), 250) << k;
+    const TestPoint chair = seen_from(layout, "monitor_" + k, "office_chair_" + k);
+    EXPECT_LT(chair.y, 0) << k;
+    EXPECT_GT(chair.y, -1100) << k;
+  }
+}
+
 TEST(WorkingGroups, WhoReceivesSitsBehindTheDesk) {
   const Layout layout =
       solved_as_asked(SceneMaker(5500, 4500).add("reception_desk").add("office_chair").add("waiting_chairs", 2).make(true));

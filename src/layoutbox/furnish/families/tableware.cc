@@ -170,8 +170,28 @@ void jar(Piece& p) {
   p.add(p.named("walnut"), lathe({{0, h * 0.81}, {r * 0.82, h * 0.81}, {r * 0.82, h}, {0, h}}, 24), scaled(1, k, 1));
 }
 
+// The colours of what is said to be in it, else of all sorts.
+std::vector<Color> colors_of_fruit(const Piece& p) {
+  struct Sort {
+    std::string_view one, several;
+    Color color;
+  };
+  static constexpr Sort kSorts[] = {{"apple", "apples", {0.76, 0.22, 0.18}},   {"orange", "oranges", {0.90, 0.55, 0.18}},
+                                    {"pear", "pears", {0.62, 0.72, 0.26}},     {"lemon", "lemons", {0.94, 0.84, 0.25}},
+                                    {"lime", "limes", {0.45, 0.66, 0.20}},     {"peach", "peaches", {0.93, 0.66, 0.45}},
+                                    {"plum", "plums", {0.38, 0.16, 0.32}},     {"clementine", "clementines", {0.92, 0.50, 0.14}},
+                                    {"tomato", "tomatoes", {0.80, 0.18, 0.14}}};
+  constexpr std::size_t kUsual = 4;
+  std::vector<Color> said, usual;
+  for (const Sort& sort : kSorts) {
+    if (p.says(sort.one) || p.says(sort.several)) said.push_back(sort.color);
+    if (usual.size() < kUsual) usual.push_back(sort.color);
+  }
+  return said.empty() ? usual : said;
+}
+
 void fruit(Piece& p) {
-  static constexpr Color kFruit[] = {{0.76, 0.22, 0.18}, {0.90, 0.55, 0.18}, {0.62, 0.72, 0.26}, {0.90, 0.78, 0.30}};
+  const std::vector<Color> colors = colors_of_fruit(p);
   const auto apple = [&](Vec at, double r, const Color& color) {
     p.add(p.tinted("wax", color),
           lathe({{0, 0.12},
@@ -195,10 +215,11 @@ void fruit(Piece& p) {
     vessel(p, p.named("ceramic"), {{r * 0.4, 0}, {r * 0.75, p.h * 0.25}, {r, p.h * 0.55}}, r * 0.05, p.h * 0.06);
     for (int i = 0; i < 7; ++i) {
       const double a = 2 * kPi * i / 6, out = i == 6 ? 0 : r * 0.48;
-      apple({std::cos(a) * out, std::sin(a) * out, p.h * (i == 6 ? 0.5 : 0.22)}, std::min(r * 0.28, p.h * 0.22), kFruit[i % 4]);
+      apple({std::cos(a) * out, std::sin(a) * out, p.h * (i == 6 ? 0.5 : 0.22)}, std::min(r * 0.28, p.h * 0.22),
+            colors[static_cast<std::size_t>(i) % colors.size()]);
     }
   } else {
-    apple({0, 0, 0}, p.w / 2, p.color_asked() ? mixed(p.accent(), kFruit[0], 1) : kFruit[p.pick(4)]);
+    apple({0, 0, 0}, p.w / 2, colors[static_cast<std::size_t>(p.pick(static_cast<int>(colors.size())))]);
   }
   p.fit();
 }

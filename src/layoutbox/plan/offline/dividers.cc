@@ -61,6 +61,17 @@ int RelationBuilder::other_side(int divider, int side) const {
   return greatest;
 }
 
+// "two desks on opposite walls, a bookcase as a divider": the other of the two; -1: there are more, or none.
+int RelationBuilder::only_twin(int side) const {
+  int twin = -1;
+  for (std::size_t i = 0; i < document_.items.size(); ++i) {
+    if (static_cast<int>(i) == side || document_.items[i].noun.entry != noun_of_item(side).entry) continue;
+    if (twin >= 0) return -1;
+    twin = static_cast<int>(i);
+  }
+  return twin;
+}
+
 // What nobody gave a size is as wide as parts something.
 void RelationBuilder::widen(int divider) {
   constexpr Mm kParts = 1600;
@@ -101,7 +112,9 @@ void RelationBuilder::divide(std::size_t word) {
   for (std::size_t i = word; i-- > first && sides.size() < 2;) take(side_at(i));
   if (said && sides.size() < 2) return widen(divider);  // "divides the dining area from the living area" names both
   if (sides.size() == 1) take(other_side(divider, sides.front()));
-  if (sides.size() < 2 || noun_of_item(sides[0]).entry == noun_of_item(sides[1]).entry) return;
+  const bool twins = sides.size() == 1;
+  if (twins) take(only_twin(sides.front()));
+  if (sides.size() < 2 || (!twins && noun_of_item(sides[0]).entry == noun_of_item(sides[1]).entry)) return;
   const std::vector<std::string> parted{id(sides[0]), id(sides[1])};
   const std::string& own = id(divider);
   const auto is_parted = [&](const std::string& other) { return std::ranges::find(parted, other) != parted.end(); };

@@ -127,11 +127,20 @@ bool lies_or_hangs(const NounPhrase& item) {
 
 }  // namespace
 
+bool is_for_several(const NounPhrase& noun) {
+  constexpr int kLong = 2;
+  return noun.entry != nullptr && !noun.plural && noun.entry->is(Trait::kSeat) &&
+         noun.entry->size.usual.width >= kLong * noun.entry->size.usual.depth;
+}
+
 bool may_carry(const Catalog& catalog, const NounPhrase& host, const NounPhrase& item) {
   if (host.kind != NounKind::kObject) return false;
   const Mount mount = mount_of(item);
   const bool rug_host = host.entry != nullptr && host.entry->thin;
   if (rug_host) return true;
+  // No lamp stands on what one lies or sits on.
+  const bool soft = host.entry != nullptr && (host.entry->is(Trait::kBed) || host.entry->is(Trait::kCenterPiece));
+  if (soft && is_lamp(catalog, item)) return false;
   if (item.collective) return true;
   if (mount == Mount::kHung && one_of(host.head, WordSet::kForClothes)) return true;
   // Clothes lie on beds, seats, tables and shelves as well.

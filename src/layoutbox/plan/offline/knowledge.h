@@ -37,6 +37,7 @@ bool is_full_height(const NounPhrase& noun);                    // said to be as
 bool is_tall(const NounPhrase& noun);                           // said to be tall, high, floor-to-ceiling: stands, and is no board
 bool is_common(const NounPhrase& noun);                         // "a shared printer": one for all
 bool is_seat(const Catalog& catalog, const NounPhrase& noun);   // for one person
+bool is_for_several(const NounPhrase& noun);                    // a bench
 bool is_lamp(const Catalog& catalog, const NounPhrase& noun);
 bool is_storage(const NounPhrase& noun);                                                  // things are in it
 bool is_textile(const Catalog& catalog, const NounPhrase& noun);                          // pillows, blankets: lie on beds and seats

@@ -45,8 +45,21 @@ void NounPhraseReader::take_attributes(std::size_t until) {
 void NounPhraseReader::settle_object(const PhrasePart& head, std::size_t head_index) {
   settle_kind(head, head_index);
   if (phrase_.kind != NounKind::kObject) return;
+  count_singly(head);
   if (pair_named_) phrase_.name = "pair of " + phrase_.name;
   if (!heaped_.empty()) settle_heap(head);
+}
+
+// "five coat hooks" are hooks, though "coat hooks" by themselves are a rail of them.
+void NounPhraseReader::count_singly(const PhrasePart& head) {
+  if (!counted_ || phrase_.vague || phrase_.count < 2 || phrase_.entry == nullptr) return;
+  const std::string named = text_of(tokens_, head.first, head.last);
+  const std::string& last = tokens_[head.last - 1].text;
+  const std::string single = named.substr(0, named.size() - last.size()) + singular_of(last);
+  if (single == named || std::ranges::find(phrase_.entry->synonyms, named) == phrase_.entry->synonyms.end()) return;
+  const CatalogEntry* own = lexicon_.catalog().find_by_words(single);
+  if (own == nullptr || own == phrase_.entry || !is_called(*own, single)) return;
+  phrase_.entry = own, phrase_.category = own->id, phrase_.exact = true;
 }
 
 // "a stack of menus", "two piles of letters": as many heaps as are said, drawn as such where the catalogue has it.

@@ -179,6 +179,7 @@ class NounPhraseReader {
   std::string_view settle_pair(const PhrasePart& head);
   std::string_view heap_at(std::size_t at, std::size_t length) const;
   void settle_heap(const PhrasePart& head);
+  void count_singly(const PhrasePart& head);
   void settle_vague(const PhrasePart& head);
   void settle_unknown();
   void settle_modeled();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "layoutbox/catalog/groups.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/word_sets.h"
@@ -74,10 +75,33 @@ void apply_heap_size(const NounPhrase& noun, SceneObject& object) {
   object.size_source = SizeSource::kInferred;
 }
 
+// "a bench for four": as wide as they sit. "A table for ten": as large as such a table, whoever sits on which side.
+void apply_seats(const Catalog& catalog, const NounPhrase& noun, SceneObject& object) {
+  constexpr Mm kPlace = 480;
+  constexpr int kMost = 8, kLarge = 5;
+  if (noun.entry == nullptr || noun.plural || noun.seats == 0) return;
+  SizeRange range = noun.entry->size;
+  if (is_for_several(noun) && noun.seats <= kMost && noun.seats * kPlace > range.usual.width) {
+    range.least.width = range.usual.width = noun.seats * kPlace;
+  } else if (const Seating* seating = Groups::builtin().seating_at(catalog, *noun.entry, ""); seating != nullptr && noun.seats >= kLarge) {
+    const auto wanted = size_for_seats(*seating, is_round(object, *noun.entry), noun.seats);
+    if (!wanted || wanted->width <= range.usual.width) return;
+    range.usual.width = wanted->width;
+    if (wanted->depth > 0) range.usual.depth = wanted->depth;
+  } else {
+    return;
+  }
+  range.greatest.width = std::max(range.greatest.width, range.usual.width);
+  range.greatest.depth = std::max(range.greatest.depth, range.usual.depth);
+  object.size = range;
+  object.size_source = SizeSource::kInferred;
+}
+
 }  // namespace
 
-void apply_size(const NounPhrase& noun, SceneObject& object) {
+void apply_size(const Catalog& catalog, const NounPhrase& noun, SceneObject& object) {
   if (noun.heaped) apply_heap_size(noun, object);
+  apply_seats(catalog, noun, object);
   if (!noun.size.any()) return;
   static const CatalogEntry unknown;
   const CatalogEntry& entry = noun.entry != nullptr ? *noun.entry : unknown;

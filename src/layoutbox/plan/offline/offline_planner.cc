@@ -215,7 +215,7 @@ class OfflinePlanner final : public Planner {
       object.attributes = item.noun.attributes;
       object.id = object.category + "_" + std::to_string(++numbers[object.category]);
       object.origin = item.concluded || (item.noun.filling && rank >= kCertain) ? Origin::kConcluded : Origin::kAsked;
-      apply_size(item.noun, object);
+      apply_size(lexicon_.catalog(), item.noun, object);
       if (item.noun.assorted) apply_assorted_size(item.noun, rank, of_group[item.group], object);
       for (std::size_t i = item.noun.first; i < item.noun.last && i < document.readings.size(); ++i) {
         if (document.readings[i].role == item.noun.name) document.readings[i].role = "object " + object.id;

@@ -114,11 +114,29 @@ TEST_F(OfflinePlannerTest, AttributesGoToTheirObject) {
   EXPECT_EQ(read.objects[1].attributes, (std::vector<std::string>{"small", "round"}));
 }
 
+TEST_F(OfflinePlannerTest, ABenchIsAsWideAsThoseItIsFor) {
+  const SceneGraph read = scene("Our hallway is 1.3 m wide and 5 m long. Please put in a shoe bench for four people.");
+  ASSERT_GE(read.objects.size(), 1u);
+  ASSERT_TRUE(read.objects[0].size.has_value());
+  EXPECT_GE(read.objects[0].size->least.width, 1800);
+}
+
+TEST_F(OfflinePlannerTest, ATableIsAsLargeAsThoseItIsFor) {
+  const SceneGraph read = scene("A dining room with a table for ten, a bench on one long side and chairs on the other.");
+  ASSERT_TRUE(read.objects[0].size.has_value());
+  EXPECT_GE(read.objects[0].size->usual.width, 2600);
+}
+
 TEST_F(OfflinePlannerTest, WhatStandsAlongAWholeWallIsAsLongAsIt) {
   const SceneGraph read = scene("A bedroom 4 x 3 m with a wardrobe along the whole left wall.");
   ASSERT_GE(read.objects.size(), 1u);
   ASSERT_TRUE(read.objects[0].size.has_value());
   EXPECT_NEAR(read.objects[0].size->usual.width, 3000, 50);
+  const SceneGraph deep = scene("A bedroom 4 x 3 m. The built-in wardrobe is 50 cm deep along the whole left wall.");
+  EXPECT_NEAR(deep.objects[0].size->usual.width, 3000, 50);
+  EXPECT_EQ(deep.objects[0].size->usual.depth, 500);
+  const SceneGraph usual = scene("A bedroom with a wardrobe along the whole left wall.");
+  EXPECT_GT(usual.objects[0].size->usual.width, 3000) << "of an ordinary room";
 }
 
 TEST_F(OfflinePlannerTest, OfSeveralEachHasTheColorThatIsSaidOfIt) {

@@ -81,9 +81,11 @@ bool RelationBuilder::add_across_table(const Link& link, const Mention& target, 
 void RelationBuilder::sit_across_table() {
   const auto said_along = [&](const Relation& r) {
     return r.type == R::kAlongSide && r.parameters.side == Side::kLong && r.targets.size() == 1 && r.references.size() == 1 && r.asked() &&
-           words_.have_phrase(r, {"one", "side"}) && object_of(r.targets[0]) != nullptr;
+           object_of(r.targets[0]) != nullptr;
   };
-  const auto first = std::ranges::find_if(scene_.relations, said_along);
+  const auto first = std::ranges::find_if(scene_.relations, [&](const Relation& r) {
+    return said_along(r) && (words_.have_phrase(r, {"one", "side"}) || words_.have_phrase(r, {"one", "long", "side"}));
+  });
   if (first == scene_.relations.end()) return;
   const std::string seat = first->targets[0], kind = object_of(seat)->category;
   std::vector<std::string> others;

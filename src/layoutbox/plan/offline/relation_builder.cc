@@ -84,20 +84,14 @@ bool RelationBuilder::repeats_known(const Link& link, R type, const std::vector<
   return false;
 }
 
-namespace {
-
-// Does it hang on a wall and is used there, in the room that the other leaves: a seat in a shower?
-bool is_used_within(const Catalog& catalog, const SceneObject& object, const SceneObject& other) {
-  const CatalogEntry *thing = catalog.find(object.category), *host = catalog.find(other.category);
-  if (thing == nullptr || host == nullptr || thing->mount != Mount::kWall || thing->used_sides.empty()) return false;
-  const Size& size = thing->size.usual;
-  return std::ranges::any_of(spaces_at(*host, host->size.usual), [&](const Space& space) {
-    return space.max[0] - space.min[0] >= size.width && space.max[1] - space.min[1] >= size.depth && space.min[2] <= thing->hang_height &&
-           space.max[2] >= thing->hang_height + size.height;
-  });
+// "a shower with a seat", "a seat in it"
+bool RelationBuilder::is_said_within(const Link& link, R type, const std::vector<std::string>& targets,
+                                     const std::vector<std::string>& references) const {
+  const bool within = type == R::kIn || (type == R::kAbove && link.kind == Link::Kind::kHave);
+  if (!within || references.size() != 1) return false;
+  const SceneObject *thing = scene_.find_object(targets.front()), *host = scene_.find_object(references.front());
+  return thing != nullptr && host != nullptr && is_used_within(*thing, *host);
 }
-
-}  // namespace
 
 void RelationBuilder::add_two_rows(const Link& link, std::vector<std::string> targets) {
   Link rows = link;
@@ -117,10 +111,7 @@ void RelationBuilder::add(const Link& link, R type, std::vector<std::string> tar
   if (type == R::kBetween && references.size() < 2) type = R::kNextTo;  // "a sectional parted by a table": nobody says from what
   // "in Japanese style with a futon": that a thing is in the room says nothing.
   if (traits_of(type).rests && references.size() == 1 && references.front() == "room") return;
-  if (type == R::kAbove && link.kind == Link::Kind::kHave && references.size() == 1) {
-    const SceneObject *thing = scene_.find_object(targets.front()), *host = scene_.find_object(references.front());
-    if (thing != nullptr && host != nullptr && is_used_within(catalog_, *thing, *host)) type = R::kInside;
-  }
+  if (is_said_within(link, type, targets, references)) type = R::kInside;
   // "four pillars along each side" of whatever are two rows through the room.
   const bool pillars =
       type == R::kEachSideOf && targets.size() >= kRowsOfPillars && std::ranges::all_of(targets, [&](const std::string& target) {

@@ -160,6 +160,7 @@ class RelationBuilder {
   bool may_divide(int item) const;
   int side_at(std::size_t i) const;
   int other_side(int divider, int side) const;
+  int only_twin(int side) const;
   void widen(int divider);
   void divide(std::size_t word);
   void part_groups();
@@ -201,6 +202,10 @@ class RelationBuilder {
   void hang_mirrors_over_counters();
   void share_doors();
   void hang_bed_curtains();
+  bool is_used_within(const SceneObject& object, const SceneObject& other) const;
+  bool is_said_within(const Link& link, RelationType type, const std::vector<std::string>& targets,
+                      const std::vector<std::string>& references) const;
+  void hang_within();
   bool is_eaten_at(const NounPhrase& noun) const;
   void seat_those_who_wait();
   void face_as_group();

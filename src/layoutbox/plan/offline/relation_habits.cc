@@ -230,6 +230,7 @@ void RelationBuilder::make_islands() {
 
 void RelationBuilder::add_habits() {
   hang_bed_curtains();
+  hang_within();
   add_front();
   share_doors();
   seat_in_windows();

@@ -210,7 +210,10 @@ void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Ment
   if (add_before_seats(link, sense, target, references)) return;
   // "magazines at one end" of a table lie on it.
   if (sense.type == R::kAlongSide && mount_of(target.noun) == Mount::kSurface) sense = {R::kOn, Direction::kDirect, PartWord::kEnd, {}, {}};
-  if (sense.type == R::kIn && !has_inside(noun_of_item(references.front()))) sense.type = R::kOn;
+  if (sense.type == R::kIn && !has_inside(noun_of_item(references.front()))) {
+    const auto object = [&](int item) -> const SceneObject& { return scene_.objects[static_cast<std::size_t>(item)]; };
+    sense.type = is_used_within(object(target.items.front()), object(references.front())) ? R::kInside : R::kOn;
+  }
   if (references.size() == 1 && add_by_one(link, sense, target, references.front())) return;
   if (add_under_hung(link, sense, target, references) || add_by_carrier(link, sense, target, references.front())) return;
   // "A mirror wall in front" of mats: on the wall there, not on the floor before them.

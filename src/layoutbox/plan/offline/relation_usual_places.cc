@@ -1,6 +1,7 @@
 // Where single things usually are that the text puts somewhere: under counters, at doors, in windows, along walls.
 #include <algorithm>
 
+#include "layoutbox/catalog/groups.h"
 #include "layoutbox/catalog/kin.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
@@ -201,6 +202,32 @@ void RelationBuilder::share_doors() {
     const SceneObject *first = one_that_stands(scene_.relations[r - 1]), *second = one_that_stands(relation);
     if (first == nullptr || second == nullptr || !words_.are_one(scene_.relations[r - 1], relation) || relation.parameters.max) continue;
     if (first->category != second->category) relation.parameters.max = kBesideOther;
+  }
+}
+
+// Does it hang on a wall and is used there, in the room that the other leaves: a seat in a shower?
+bool RelationBuilder::is_used_within(const SceneObject& object, const SceneObject& other) const {
+  const CatalogEntry *thing = catalog_.find(object.category), *host = catalog_.find(other.category);
+  if (thing == nullptr || host == nullptr || thing->mount != Mount::kWall || thing->used_sides.empty()) return false;
+  const Size& size = thing->size.usual;
+  return std::ranges::any_of(spaces_at(*host, host->size.usual), [&](const Space& space) {
+    return space.max[0] - space.min[0] >= size.width && space.max[1] - space.min[1] >= size.depth && space.min[2] <= thing->hang_height &&
+           space.max[2] >= thing->hang_height + size.height;
+  });
+}
+
+// "a shower, a fold-down seat, grab rails": of which nothing is said it is within that.
+void RelationBuilder::hang_within() {
+  for (const SceneObject& thing : scene_.objects) {
+    const CatalogEntry* entry = catalog_.find(thing.category);
+    if (entry == nullptr || entry->mount != Mount::kWall || !relations_of(thing.id).empty()) continue;
+    for (const std::string& kind : Groups::usual_at(Groups::builtin().hangs, catalog_, *entry, Mount::kWall)) {
+      const auto host = std::ranges::find_if(
+          scene_.objects, [&](const SceneObject& o) { return catalog_.is_a(o.category, kind) && is_used_within(thing, o); });
+      if (host == scene_.objects.end()) continue;
+      add_habit(R::kInside, {thing.id}, {host->id}, kTogether, "such a thing is used within it");
+      break;
+    }
   }
 }
 

@@ -9,12 +9,16 @@ using R = RelationType;
 
 // "a wardrobe along the whole left wall": as long as the wall, or as what else has to be there lets it be.
 void RelationBuilder::fill_whole_walls() {
-  const Point far = scene_.room.polygon.size() == 4 ? scene_.room.polygon[2] : Point{};
+  Point far = scene_.room.polygon.size() == 4 ? scene_.room.polygon[2] : Point{};
+  const bool sized = !scene_.room.polygon.empty() || scene_.room.area_m2 || !scene_.room.size_word.empty();
+  const RoomKind* kind = sized ? nullptr : catalog_.find_room(scene_.room.type);
+  if (kind != nullptr) far = {kind->usual_size.width, kind->usual_size.depth};
   if (far.x == 0) return;
   for (const Relation& along : scene_.relations) {
     if (along.type != R::kAgainstWall || along.targets.size() != 1 || !words_.have(along, WordSet::kWholeWalls)) continue;
     const auto object = std::ranges::find(scene_.objects, along.targets.front(), &SceneObject::id);
-    if (object == scene_.objects.end() || object->size_source == SizeSource::kUser) continue;
+    const auto has_width = [](const SceneObject& o) { return o.size && o.size->least.width == o.size->greatest.width; };
+    if (object == scene_.objects.end() || (object->size_source == SizeSource::kUser && has_width(*object))) continue;
     const CatalogEntry* entry = noun_of_object(*object).entry;
     if (entry == nullptr || !entry->back_to_wall || entry->mount != Mount::kFloor) continue;
     const std::optional<Side> side = along.references.empty() ? std::nullopt : room_side_from_word(along.references.front());
@@ -26,7 +30,7 @@ void RelationBuilder::fill_whole_walls() {
     range.least.width = std::max(length / kLeastPart, std::min(range.least.width, length - kAir));
     range.usual.width = range.greatest.width = length - kAir;
     object->size = range;
-    object->size_source = SizeSource::kInferred;
+    if (object->size_source != SizeSource::kUser) object->size_source = SizeSource::kInferred;
   }
 }
 

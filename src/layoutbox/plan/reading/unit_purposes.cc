@@ -330,10 +330,13 @@ bool UnitReader::passes_count(std::size_t k) {
     return true;
   }
   const bool room = before >= document_.chunks.size() || chunk(before).noun.kind == NounKind::kRoom;
-  if (!persons || (!room && !is_table(lexicon_.catalog(), chunk(before).noun))) return false;
+  const bool bench = !room && is_for_several(chunk(before).noun);
+  if (!persons || (!room && !bench && !is_table(lexicon_.catalog(), chunk(before).noun))) return false;
   if (room) {
     document_.people = noun.count;
     document_.young = lexicon_.is_young(noun.head);
+  } else if (bench) {
+    document_.chunks[before].noun.seats = noun.count;
   } else {
     seat_so_many(document_.chunks[before].noun, noun.count);
   }

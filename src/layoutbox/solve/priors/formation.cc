@@ -238,8 +238,9 @@ void add_island_place(Formula& f, const PlacementModel& model, const FormationOf
   const Size island{desk.width, 2 * (desk.depth + kSeatOfIsland), desk.height};
   for_each_turn(model.items[item], [&](int turn, std::uint64_t states) {
     if (!quarter(turn)) return;
-    // Of a pair the first has its back up the axis, the second down.
-    const Direction back = side_direction(model.items[item], Side::kBack, turn);
+    // Of a pair the first has the side that is looked out over (its front where the seats are told to be behind it) up the axis, the second
+    // down.
+    const Direction back = side_direction(model.items[item], looking_side(model, item), turn);
     if (back.sign != (k % 2 == 0 ? 1 : -1)) return;
     const int row_axis = across(back);
     Formation form{0, 0, 0};

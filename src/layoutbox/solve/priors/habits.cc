@@ -114,13 +114,15 @@ void Habits::stand(int index) {
 // What goes with nothing, and is told no place.
 void Habits::stand_by_itself(int index, bool looks) {
   const Item& item = model_.items[index];
-  const bool all_round = used_sides(item).size() >= 4 && !item.is(Trait::kSeat) && rank_of(index) == 0;
+  const bool alone = is_sat_at_alone(index);
+  const bool all_round = used_sides(item).size() >= 4 && !item.is(Trait::kSeat) && rank_of(index) == 0 && !alone;
   if (all_round && (has_sitters(index) || (!middle_is_taken(index) && !is_low_aside(index)))) {
     if (!middle_is_taken(index)) stand_in_middle(index);
   } else if (item.is(Trait::kSeat) && item.has_front && !looks && !item.object->hint.position) {
     back_to_wall(index, kSeatToWall);
   } else {
     stand_at_wall(index);
+    if (alone) near_light(index);
   }
 }
 

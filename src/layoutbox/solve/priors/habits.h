@@ -92,7 +92,10 @@ class Habits {
   int board_of_room() const;
   void face_the_class(int item);
   bool middle_is_taken(int item) const;
+  void swing_clear_of_doors(int item);
   bool has_sitters(int item) const;
+  bool is_sat_at_alone(int item) const;
+  int sitters_of(int item) const;
   void stand_at_wall(int item);
   void stand_in_middle(int item);
   void lie_straight(int item);

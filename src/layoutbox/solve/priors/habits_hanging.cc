@@ -286,15 +286,23 @@ void Habits::cover_window(int item) {
     if (model_.items[i].is_opening() && model_.items[i].opening->type == OpeningType::kWindow) windows.push_back(static_cast<int>(i));
   }
   if (windows.empty()) return;
-  std::vector<int> curtains;
+  // Several at one window share its width: each is at the one that it is told to be at, the others by turns.
+  std::ptrdiff_t rank = 0, k = 0, sharing = 0;
+  int window = -1;
+  std::vector<std::pair<int, int>> hung;  // curtain, window
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    if (model_.items[i].curtain && model_.items[i].mount == Mount::kWall) curtains.push_back(static_cast<int>(i));
+    const int other = static_cast<int>(i);
+    if (!model_.items[i].curtain || model_.items[i].mount != Mount::kWall) continue;
+    const auto told = std::ranges::find_if(windows, [&](int w) { return related_as_target(other, w, RelationType::kNextTo); });
+    const int at = told != windows.end() ? *told : windows[static_cast<std::size_t>(rank) % windows.size()];
+    ++rank;
+    if (other == item) window = at;
+    hung.emplace_back(other, at);
   }
-  // Several at one window share its width.
-  const auto rank = std::find(curtains.begin(), curtains.end(), item) - curtains.begin();
-  const auto count = static_cast<std::ptrdiff_t>(windows.size());
-  const int window = windows[static_cast<std::size_t>(rank % count)];
-  const auto k = rank / count, sharing = (static_cast<std::ptrdiff_t>(curtains.size()) - rank % count + count - 1) / count;
+  for (const auto& [other, at] : hung) {
+    if (at != window) continue;
+    k += other < item, ++sharing;
+  }
   const Linear aside(std::int64_t{2 * k - (sharing - 1)} * model_.items[item].states[0].size.width);
   Formula f;
   for_each_turn(model_.items[window], [&](int turn, std::uint64_t states) {

@@ -59,15 +59,24 @@ bool Habits::middle_is_taken(int item) const {
 }
 
 // Seats that words put there, or that usually stand there and are nowhere else.
-bool Habits::has_sitters(int item) const {
+bool Habits::has_sitters(int item) const { return sitters_of(item) > 0; }
+
+// The only one who sits there works there, and has the wall or the window before him.
+bool Habits::is_sat_at_alone(int item) const {
+  constexpr std::int64_t kForOne = 1'600'000;  // mm²
+  return model_.items[item].is(Trait::kTable) && area_of(model_.items[item]) <= kForOne && sitters_of(item) == 1;
+}
+
+int Habits::sitters_of(int item) const {
+  int sitters = 0;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     const int seat = static_cast<int>(i);
     if (!model_.items[i].is(Trait::kTableSeat) || !takes_seat(item, seat)) continue;
     const std::vector<std::string>& at = model_.items[i].entry->beside;
     const bool usual = std::ranges::any_of(at, [&](const std::string& kind) { return model_.is_a(item, kind); });
-    if (related(seat, item) || (usual && !placed_besides_facing(seat))) return true;
+    sitters += related(seat, item) || (usual && !placed_besides_facing(seat));
   }
-  return false;
+  return sitters;
 }
 
 void Habits::stand_in_middle(int item) {
@@ -126,16 +135,22 @@ void Habits::keep_before_counter(int item) {
 }
 
 void Habits::near_light(int item) {
+  constexpr int kAtFaced = 200;  // "facing the window": at it
   Formula f;
-  std::vector<int> windows;
+  std::vector<int> windows, faced;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     const Item& other = model_.items[i];
     if (!other.is_opening() || other.opening->type != OpeningType::kWindow) continue;
-    Case& c = f.add();
     windows.push_back(static_cast<int>(i));
-    for (int axis = 0; axis < 2; ++axis) c.wish(mid2(item, axis) - mid2(windows.back(), axis), kLight, 2);
+    if (related_as_target(item, windows.back(), RelationType::kFacing)) faced.push_back(windows.back());
   }
-  if (!windows.empty()) habit("near light", item, kLight, std::move(f));
+  const int weight = faced.empty() ? kLight : kAtFaced;
+  if (!faced.empty()) windows = faced;
+  for (const int window : windows) {
+    Case& c = f.add();
+    for (int axis = 0; axis < 2; ++axis) c.wish(mid2(item, axis) - mid2(window, axis), weight, 2);
+  }
+  if (!windows.empty()) habit("near light", item, weight, std::move(f));
 }
 
 // A window that nobody placed is not in the wall that something is said to hang on, nor beside the board that all look at.
@@ -176,7 +191,26 @@ void Habits::open_well(int item) {
     }
   }
   habit("place", item, kOpeningPlace, std::move(f));
-  if (opening.type == OpeningType::kDoor) enter_behind_class(item);
+  if (opening.type != OpeningType::kDoor) return;
+  enter_behind_class(item);
+  swing_clear_of_doors(item);
+}
+
+// No two leaves meet.
+void Habits::swing_clear_of_doors(int item) {
+  constexpr int kLeavesMeet = 300;
+  constexpr Mm kWidestLeaf = 1000;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const int other = static_cast<int>(i);
+    const Item& door = model_.items[i];
+    if (other == item || !door.is_opening() || door.opening->type != OpeningType::kDoor) continue;
+    const Mm leaf = std::min(std::max(door.opening->width, model_.items[item].opening->width), kWidestLeaf);
+    Formula f;
+    for (const int axis : {0, 1}) {
+      for (const int sign : {1, -1}) f.add().require(gap_towards(item, other, {axis, sign}) - Linear(leaf));
+    }
+    habit("swings clear of doors", item, kLeavesMeet, std::move(f), {other});
+  }
 }
 
 }  // namespace layoutbox::placement

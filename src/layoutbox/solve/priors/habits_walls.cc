@@ -6,7 +6,7 @@
 namespace layoutbox::placement {
 namespace {
 
-constexpr int kBedToCorner = 150, kToCorner = 20, kTallToCorner = 160;  // points for not being in a corner
+constexpr int kBedToCorner = 150, kToCorner = 20, kTallToCorner = 160, kHighBedToCorner = 400;  // points for not being in a corner
 constexpr Mm kFlushInCorner = 20;
 constexpr int kFloats = 250;  // points for a sofa that stands off the walls of a large room
 
@@ -33,7 +33,8 @@ void Habits::back_to_wall(int item, int weight) {
   const bool rocks = model_.items[item].is(Trait::kEasySeat) && wanted.contains(Side::kBack);
   const Mm behind = rocks ? wanted.at(Side::kBack) : kFlushInCorner;
   const int for_side = wanted.contains(Side::kLeft) && wanted.contains(Side::kRight) ? kCostWeights.wanted : 0;
-  const int to_corner = narrow_bed ? kBedToCorner + for_side : ends_run(item) ? kTallToCorner : keeps_to_corner(item) ? kToCorner : 0;
+  const int for_bed = model_.items[item].is(Trait::kClimbedInto) ? kHighBedToCorner : kBedToCorner;
+  const int to_corner = narrow_bed ? for_bed + for_side : ends_run(item) ? kTallToCorner : keeps_to_corner(item) ? kToCorner : 0;
   for (const RoomWall& wall : model_.walls) {
     const std::size_t known = f.cases.size();
     add_against(f, model_, item, states_with_back_to(model_.items[item], wall), wall, behind, true);
