@@ -224,6 +224,14 @@ void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Ment
 
 // As many as there are references: one for each; more: shared out; fewer: by all that can be so.
 void RelationBuilder::add_for_each(const Link& link, PhraseSense sense, const Mention& target, const std::vector<int>& references) {
+  // "a bench for the judge, twelve seats on the right": so many do not stand beside one thing, they are at that side of the room.
+  constexpr std::size_t kMostBeside = 3;
+  const bool sideways = sense.type == R::kLeftOf || sense.type == R::kRightOf;
+  if (sideways && link.implied && references.size() == 1 && target.items.size() > kMostBeside && mount_of(target.noun) == Mount::kFloor) {
+    const PhraseSense side{R::kInRegion, Direction::kDirect, {}, sense.type == R::kLeftOf ? RoomRegion::kLeft : RoomRegion::kRight, {}};
+    for (const int item : target.items) add(link, side.type, {id(item)}, {}, side);
+    return;
+  }
   const bool seat_at = references.size() > 1 && sits_at(link, sense, target.noun, noun_of_item(references.front()));
   if (seat_at && target.items.size() > references.size()) {
     add_group(link, {R::kAround, Direction::kDirect, {}, {}, {}}, target.items, references, nullptr);
