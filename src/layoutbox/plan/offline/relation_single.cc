@@ -131,7 +131,9 @@ bool RelationBuilder::add_before_seats(const Link& link, const PhraseSense& sens
 
 // A seat "at" a table, "drawn up to" it, is used there, from any side.
 bool RelationBuilder::sits_at(const Link& link, const PhraseSense& sense, const NounPhrase& seat, const NounPhrase& table) const {
-  if (!is_seat(catalog_, seat) || !is_table(catalog_, table)) return false;
+  // "two seats at a panel of dials" on the wall, as at a table
+  const bool works_at = mount_of(table) == Mount::kWall && table.entry != nullptr && !table.entry->used_sides.empty();
+  if (!is_seat(catalog_, seat) || !(is_table(catalog_, table) || works_at)) return false;
   const std::string& word = document_.tokens[link.first].text;
   if (sense.type == R::kInFrontOf) return one_of(word, {"pulled", "drawn"});
   return sense.type == R::kNextTo && one_of(word, {"at", "to", "for"});
@@ -224,6 +226,7 @@ void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Ment
 
 // As many as there are references: one for each; more: shared out; fewer: by all that can be so.
 void RelationBuilder::add_for_each(const Link& link, PhraseSense sense, const Mention& target, const std::vector<int>& references) {
+  if (references.size() == 1 && add_rows_behind(link, sense, target, references.front())) return;
   // "a bench for the judge, twelve seats on the right": so many do not stand beside one thing, they are at that side of the room.
   constexpr std::size_t kMostBeside = 3;
   const bool sideways = sense.type == R::kLeftOf || sense.type == R::kRightOf;

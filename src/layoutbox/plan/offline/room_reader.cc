@@ -78,7 +78,9 @@ bool is_described(OpeningType type, const NounPhrase& noun) {
 
 // "no windows", "a windowless room"
 bool wants_no_window(const Document& document) {
-  const auto windowless = [](const NounPhrase& room) { return room.name.find("windowless") != std::string::npos; };
+  const auto windowless = [](const NounPhrase& room) {
+    return std::ranges::any_of(words_of(room.name), [](const std::string& word) { return one_of(word, WordSet::kWithoutDaylight); });
+  };
   return std::any_of(document.excluded.begin(), document.excluded.end(), [](const NounPhrase& n) { return n.kind == NounKind::kWindow; }) ||
          std::any_of(document.rooms.begin(), document.rooms.end(), windowless);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "layoutbox/catalog/close_rows.h"
 #include "layoutbox/solve/compile/phrases.h"
 #include "layoutbox/solve/priors/seating.h"
 
@@ -24,15 +25,12 @@ std::vector<int> axes_of(const Compilation& c) {
   return axis < 2 ? std::vector<int>{axis} : std::vector<int>{};
 }
 
-// Lockers, washing machines, shelves: what stands at walls and nobody sits or lies at stands close to its like.
-bool stands_close(const Item& item) {
-  return !item.is_opening() && item.mount == Mount::kFloor && item.entry->back_to_wall && !item.is_seat && !item.is(Trait::kBed) &&
-         !item.is(Trait::kTable) && !item.is(Trait::kEasySeat);
-}
-
 // Targets in a line along an axis, in that order; `gap` 0 or more: exactly so far apart.
 void require_line(const PlacementModel& model, Case& c, const std::vector<int>& order, int axis, const std::optional<Mm>& gap, int edge) {
-  const bool close = std::ranges::all_of(order, [&](int item) { return stands_close(model.items[item]); });
+  const bool close = std::ranges::all_of(order, [&](int item) {
+    const Item& one = model.items[item];
+    return !one.is_opening() && one.mount == Mount::kFloor && layoutbox::stands_close(*one.entry);
+  });
   for (std::size_t i = 1; i < order.size(); ++i) {
     const int a = order[i - 1], b = order[i];
     const Linear between = lo(b, axis) - hi(a, axis);
