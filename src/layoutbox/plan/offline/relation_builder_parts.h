@@ -105,6 +105,7 @@ class RelationBuilder {
   void settle_sense(const Link& link, PhraseSense& sense, const Mention& target, const std::vector<int>& references) const;
   bool add_drawn_up(const Link& link, const PhraseSense& sense, const Mention& target, const std::vector<int>& references);
   bool add_before_seats(const Link& link, const PhraseSense& sense, const Mention& target, const std::vector<int>& references);
+  bool is_worked_at(const NounPhrase& noun) const;
   bool sits_at(const Link& link, const PhraseSense& sense, const NounPhrase& seat, const NounPhrase& table) const;
   bool add_by_one(const Link& link, const PhraseSense& sense, const Mention& target, int reference);
   bool add_under_hung(const Link& link, const PhraseSense& sense, const Mention& target, const std::vector<int>& references);

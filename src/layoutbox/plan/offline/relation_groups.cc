@@ -134,7 +134,7 @@ bool RelationBuilder::lie_on(const Link& link, const std::vector<int>& items, in
 bool RelationBuilder::seats_one_side(const Link& link, int seat, int host) const {
   const CatalogEntry* entry = noun_of_item(host).entry;
   if (entry == nullptr || !entry->has_front || !is_seat(catalog_, noun_of_item(seat))) return false;
-  if (mount_of(noun_of_item(host)) == Mount::kWall) return true;  // a panel of dials
+  if (is_worked_at(noun_of_item(host))) return one_of(document_.tokens[link.first].text, {"at", "before"});
   const bool bench = entry->is(Trait::kDeskLike) && entry->used_sides == std::vector{Side::kFront};
   const bool counter = entry->is(Trait::kCounter) || entry->is(Trait::kDesk) || bench;
   const std::string words = words_between(document_, link.first, link.last);

@@ -129,11 +129,15 @@ bool RelationBuilder::add_before_seats(const Link& link, const PhraseSense& sens
   return laid == target.items.size();
 }
 
+// "two seats at a panel of dials" on the wall, as at a desk.
+bool RelationBuilder::is_worked_at(const NounPhrase& noun) const {
+  return mount_of(noun) == Mount::kWall && noun.entry != nullptr && !noun.entry->used_sides.empty() && !noun.entry->is(Trait::kCurtain) &&
+         !noun.entry->is(Trait::kMirror);
+}
+
 // A seat "at" a table, "drawn up to" it, is used there, from any side.
 bool RelationBuilder::sits_at(const Link& link, const PhraseSense& sense, const NounPhrase& seat, const NounPhrase& table) const {
-  // "two seats at a panel of dials" on the wall, as at a table
-  const bool works_at = mount_of(table) == Mount::kWall && table.entry != nullptr && !table.entry->used_sides.empty();
-  if (!is_seat(catalog_, seat) || !(is_table(catalog_, table) || works_at)) return false;
+  if (!is_seat(catalog_, seat) || !(is_table(catalog_, table) || is_worked_at(table))) return false;
   const std::string& word = document_.tokens[link.first].text;
   if (sense.type == R::kInFrontOf) return one_of(word, {"pulled", "drawn"});
   return sense.type == R::kNextTo && one_of(word, {"at", "to", "for"});
@@ -230,6 +234,12 @@ void RelationBuilder::add_for_each(const Link& link, PhraseSense sense, const Me
   // "a bench for the judge, twelve seats on the right": so many do not stand beside one thing, they are at that side of the room.
   constexpr std::size_t kMostBeside = 3;
   const bool sideways = sense.type == R::kLeftOf || sense.type == R::kRightOf;
+  // "a dumbbell rack, a mirror wall on the right"
+  const bool covers_wall = mount_of(target.noun) == Mount::kWall && target.noun.name.ends_with(" wall");
+  if (sideways && link.implied && references.size() == 1 && covers_wall) {
+    for (const int item : target.items) add(link, R::kOnWall, {id(item)}, {sense.type == R::kLeftOf ? "left" : "right"});
+    return;
+  }
   if (sideways && link.implied && references.size() == 1 && target.items.size() > kMostBeside && mount_of(target.noun) == Mount::kFloor) {
     const PhraseSense side{R::kInRegion, Direction::kDirect, {}, sense.type == R::kLeftOf ? RoomRegion::kLeft : RoomRegion::kRight, {}};
     for (const int item : target.items) add(link, side.type, {id(item)}, {}, side);
