@@ -49,6 +49,9 @@ bool RelationBuilder::add_rows_behind(const Link& link, const PhraseSense& sense
     add(link, R::kBehind, {id(item)}, {id(barrier)});
     scene_.relations.back().parameters.max = kFarthest;
   }
+  Link along = link;
+  along.concluded = true;
+  add(along, R::kSameOrientation, {id(target.items.front())}, {id(barrier)});
   return true;
 }
 
