@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include "layoutbox/catalog/close_rows.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/scene/relation_traits.h"
 #include "layoutbox/scene/shell.h"
@@ -32,6 +33,7 @@ class OpenRows {
       else
         spread(lining);
     }
+    stand_rows();
     return scene_.objects.size() - before;
   }
 
@@ -148,6 +150,29 @@ class OpenRows {
     for (const Part& part : parts) {
       before += part.room;
       for (const std::size_t until = ids.size() * before / all(); next < until; ++next) prefer(ids[next], *part.wall);
+    }
+  }
+
+  // "twelve lockers in one row" stand along the wall that they fill best, where nobody says which.
+  void stand_rows() {
+    constexpr std::size_t kLong = 4;
+    for (std::size_t i = 0; i < scene_.relations.size(); ++i) {
+      const Relation row = scene_.relations[i];
+      const SceneObject* first = row.targets.empty() ? nullptr : scene_.find_object(row.targets.front());
+      if (row.type != RelationType::kRow || row.targets.size() < kLong || first == nullptr || row.parameters.axis) continue;
+      const CatalogEntry& kind = catalog_.entry_or_nearest(first->category);
+      const auto placed = [&](const Relation& r) { return r.id != row.id && std::ranges::find(r.targets, first->id) != r.targets.end(); };
+      if (!stands_close(kind) || std::ranges::any_of(scene_.relations, placed)) continue;
+      const Mm length = size_of(first->id).width * static_cast<Mm>(row.targets.size());
+      const Wall* best = nullptr;
+      for (const Side side : {Side::kBack, Side::kRight, Side::kLeft, Side::kFront}) {
+        const Wall* wall = wall_on_side(sized_.room.walls, side);
+        if (wall == nullptr || free_of(*wall, row.targets) < length) continue;
+        if (best == nullptr || free_of(*wall, row.targets) < free_of(*best, row.targets)) best = wall;
+      }
+      for (const std::string& id : row.targets) {
+        if (best != nullptr) prefer(id, *best);
+      }
     }
   }
 

@@ -45,6 +45,13 @@ TEST(OpenRows, ShelvesAlongWallsFillThem) {
   EXPECT_GE(count_of(filled("A laboratory, 5 x 4 m, with steel shelving along the back wall."), "shelving_unit"), 4);
 }
 
+TEST(OpenRows, ALongRowHasAWallOfItsOwn) {
+  const SceneGraph room = filled("A break room, 6 x 5.4 m, with twelve lockers in one row and a sofa along the back wall.");
+  EXPECT_EQ(count_of(room, "locker"), 12);
+  EXPECT_EQ(at_wall(room, "wall2") + at_wall(room, "wall4"), 12);
+  EXPECT_EQ(at_wall(room, "wall3"), 1);
+}
+
 TEST(OpenRows, WhatIsCountedIsNotMore) {
   EXPECT_EQ(count_of(filled("A shop, 8 x 4 m, with two bookshelves along the left wall."), "bookshelf"), 2);
   EXPECT_EQ(count_of(filled("A study, 4 x 4 m, with a bookshelf along the left wall."), "bookshelf"), 1);

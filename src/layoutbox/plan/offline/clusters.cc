@@ -10,8 +10,8 @@ namespace {
 
 // "in groups of four", "in pairs": how many stand together, and the tokens that say it; 0: nothing of the kind.
 std::pair<int, std::size_t> together_at(const Lexicon& lexicon, const Document& document, std::size_t at) {
-  if (says_one_of(document, at, {"arranged", "grouped", "placed", "set"})) ++at;
-  if (!says_one_of(document, at, {"in", "into"})) return {};
+  if (says_one_of(document, at, {"arranged", "grouped", "placed", "set", "seated", "sitting", "sit", "working"})) ++at;
+  if (!says_one_of(document, at, {"in", "into", "at"})) return {};
   if (const NumberRead count = read_number(lexicon, document.tokens, at + 1);  // "in three groups of four"
       count.length > 0 && says_one_of(document, at + 1 + count.length, WordSet::kClustersOrRows))
     at += count.length;
@@ -72,6 +72,14 @@ void give_each_group(Document& document, std::size_t k, int groups) {
 
 }  // namespace
 
+int people_together(const Lexicon& lexicon, const Document& document) {
+  for (std::size_t i = 1; i < document.tokens.size(); ++i) {
+    if (!lexicon.is_person(singular_of(document.tokens[i - 1].text))) continue;
+    if (const int together = together_at(lexicon, document, i).first; together > 0) return together;
+  }
+  return 0;
+}
+
 void settle_clusters(const Lexicon& lexicon, Document& document) {
   const NounPhrase* grouped = nullptr;
   for (Chunk& chunk : document.chunks) {
@@ -101,8 +109,10 @@ void settle_clusters(const Lexicon& lexicon, Document& document) {
       take_chunks(document, chunk.last, last, "together");
       continue;
     }
-    const auto [together, end] = together_at(lexicon, document, chunk.last);
+    const bool stacked = says_one_of(document, chunk.last, {"stacked", "piled"});
+    const auto [together, end] = together_at(lexicon, document, stacked ? chunk.last + 1 : chunk.last);
     if (together == 0) continue;
+    if (stacked) noun.attributes.emplace_back("stacked");  // "dryers stacked in pairs"
     // "tables in groups of four", of which nobody says how many: tables at which so many sit, as a class does at desks put together.
     const bool desks = noun.head == "desk" && is_class(lexicon, document);
     const bool shared = (noun.head == "table" || desks) && noun.count == 0 && together > 2;

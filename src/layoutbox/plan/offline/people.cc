@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/plan/offline/clusters.h"
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/mention_links.h"
@@ -58,6 +59,7 @@ class RoomPeople {
     }
     if (host < 0) {
       if (builder_.excluded(*main)) return;
+      if (persons == 1 && seats_follow && seat_in_groups(*needs, people, *room)) return;
       const int count = persons > 0 ? (people + persons - 1) / persons : 1;
       host = builder_.add(*main, count, *room);
       constexpr int kLeastInGrid = 6;
@@ -70,6 +72,18 @@ class RoomPeople {
 
  private:
   Mention& mention(int m) { return builder_.mention(m); }
+
+  // "for 24 pupils in six groups of four": a table for each group, with the seats round it. False: nobody speaks of groups.
+  bool seat_in_groups(const Lexicon::Set& needs, int people, const NounPhrase& room) {
+    constexpr int kLeastGroup = 3, kMostGroup = 10;
+    const int together = people_together(lexicon_, document_);
+    const CatalogEntry* table = catalog_.find("table");
+    if (together < kLeastGroup || together > kMostGroup || table == nullptr) return false;
+    const int tables = builder_.add(*table, (people + together - 1) / together, room);
+    const int seats = grow_seats(needs, people) ? named(*needs[1].first) : builder_.add(*needs[1].first, people, room);
+    builder_.seat_at_table(seats, tables, false);
+    return true;
+  }
 
   // A table of no kind, where such tables are needed.
   bool is_plain_table(const CatalogEntry& named, const CatalogEntry& needed) const {
@@ -134,6 +148,8 @@ class RoomPeople {
   bool grow_seats(const Lexicon::Set& needs, int people) {
     const int seats = needs.size() > 1 ? named(*needs[1].first) : -1;
     if (seats >= 0 && one_of(mention(seats).noun.head, WordSet::kStools) && stands_at_counter(seats)) return false;
+    constexpr int kFew = 2;  // the one chair of a class is its teacher's
+    if (seats >= 0 && people > kFew && mention(seats).items.size() == 1 && !mention(seats).noun.plural) return false;
     if (seats >= 0 && mention(seats).noun.plural && mention(seats).noun.count == 0) builder_.grow(seats, people);
     return seats >= 0;
   }

@@ -63,6 +63,7 @@ void RelationBuilder::run() {
   note_contradictions();
   drop_implied_support();
   leave_window_to_sink();
+  stand_across_openings();
   divide_groups();
   make_islands();
 }

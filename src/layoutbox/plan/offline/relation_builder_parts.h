@@ -79,6 +79,7 @@ class RelationBuilder {
   void stand_in_line(const Link& link, const std::string& next, const std::string& one, const NounPhrase& other,
                      const NounPhrase& neighbour);
   std::vector<int> by_tables(const std::vector<int>& targets) const;
+  [[nodiscard]] std::vector<int> by_shares(const std::vector<int>& targets) const;
   void add_each_other(const Link& link, const std::vector<int>& said);
   bool are_desks(const std::vector<int>& items) const;
   void add_island(const Link& link, const std::vector<int>& members);
@@ -104,6 +105,7 @@ class RelationBuilder {
   void settle_sense(const Link& link, PhraseSense& sense, const Mention& target, const std::vector<int>& references) const;
   bool add_drawn_up(const Link& link, const PhraseSense& sense, const Mention& target, const std::vector<int>& references);
   bool add_before_seats(const Link& link, const PhraseSense& sense, const Mention& target, const std::vector<int>& references);
+  bool is_worked_at(const NounPhrase& noun) const;
   bool sits_at(const Link& link, const PhraseSense& sense, const NounPhrase& seat, const NounPhrase& table) const;
   bool add_by_one(const Link& link, const PhraseSense& sense, const Mention& target, int reference);
   bool add_under_hung(const Link& link, const PhraseSense& sense, const Mention& target, const std::vector<int>& references);
@@ -112,6 +114,7 @@ class RelationBuilder {
   bool add_over_table_between(const Link& link, const PhraseSense& sense, const Mention& target, const std::vector<int>& references);
   void add_for_each(const Link& link, PhraseSense sense, const Mention& target, const std::vector<int>& references);
   void add_in_middle(const Link& link, const PhraseSense& sense, const std::vector<int>& targets);
+  bool is_tall_end(const Link& link, int target) const;
   bool in_ring(const std::vector<int>& targets, const std::vector<int>& references) const;
   bool add_at_sides(const Link& link, const PhraseSense& sense, const std::vector<int>& targets, int host);
   void add_shares(const Link& link, const PhraseSense& sense, const std::vector<int>& targets, const std::vector<int>& references);
@@ -124,6 +127,11 @@ class RelationBuilder {
   void add_look(const Link& link, RelationType type, int item, int reference);
   // "across from" is a gap as well, which holds even where the two cannot look at each other.
   void add_across(const Link& link, int item, const std::vector<std::string>& reference);
+  void stand_across_openings();
+  bool add_rows_behind(const Link& link, const PhraseSense& sense, const Mention& target, int barrier);
+  bool stands_across(const Relation& r, const std::string& opening) const;
+  void stand_at_wall_across(const std::string& opening, const std::string& wall);
+  bool stands_at_walls(const NounPhrase& noun) const;
   void add_seats_at_sides(const Link& link, const std::vector<int>& seats, int table);
   void add_corners(const Link& link, const Mention& target, const NounPhrase& corner);
   bool is_placed(int item) const;

@@ -11,6 +11,20 @@ namespace layoutbox::offline {
 using R = RelationType;
 using Direction = PhraseSense::Direction;
 
+// "ten tables, each with two chairs opposite each other": as the tables will share them out; empty: they have no such tables.
+std::vector<int> RelationBuilder::by_shares(const std::vector<int>& targets) const {
+  for (const Link& link : document_.links) {
+    if (link.kind != Link::Kind::kHave || items_of(link.targets).empty()) continue;
+    const std::vector<int> tables = items_of(link.references);
+    const bool of_all = std::ranges::any_of(link.targets, [&](int m) { return mention(m).items == targets; });
+    if (!of_all || targets.size() != 2 * tables.size() || !is_table(catalog_, noun_of_item(tables.front()))) continue;
+    std::vector<int> ordered;
+    for (std::size_t t = 0; t < tables.size(); ++t) ordered.insert(ordered.end(), {targets[t], targets[t + tables.size()]});
+    return ordered;
+  }
+  return {};
+}
+
 // "at each of the four tables two chairs face each other": those at one table, where two are at each; else as they come.
 std::vector<int> RelationBuilder::by_tables(const std::vector<int>& targets) const {
   std::vector<std::pair<std::string, std::vector<int>>> tables;
@@ -64,10 +78,12 @@ void RelationBuilder::add_island_of_backs(const Link& link, const std::vector<in
 
 void RelationBuilder::add_each_other(const Link& link, const std::vector<int>& said) {
   if (said.size() < 2 || link.senses.empty()) return;
-  const std::vector<int> targets = by_tables(said);
+  const std::vector<int> shared = by_shares(said);
+  const std::vector<int> targets = shared.empty() ? by_tables(said) : shared;
   const NounPhrase& other = noun_of_item(targets.front());
-  const auto sense = choose_sense(catalog_, link.senses, Direction::kDirect, noun_of_item(targets.back()), other);
+  auto sense = choose_sense(catalog_, link.senses, Direction::kDirect, noun_of_item(targets.back()), other);
   if (!sense) return;
+  if (!shared.empty() && sense->type == R::kOpposite) sense->type = R::kFacing;  // over their table, however near
   // Two benches at each of four tables face each other two by two.
   const bool in_pairs = targets.size() > 2 && other.count == 2;
   // "two rows of desks facing each other", "four armchairs face each other": each has one across; of an odd number they go round.
@@ -124,20 +140,27 @@ void RelationBuilder::stand_in_line(const Link& link, const std::string& next, c
   add(concluded, R::kEdgeAlign, {next}, {one});
 }
 
-// "three stacked crates" stand on each other.
+// "three stacked crates" stand on each other, "six dryers stacked in pairs" two by two in a row.
 void RelationBuilder::add_stacks() {
   constexpr std::size_t kMostInStack = 5;
   for (const Mention& mention : document_.mentions) {
     const NounPhrase& noun = mention.noun;
     const bool stacked =
         contains_word(noun.attributes, "stacked") || contains_word(noun.attributes, "piled") || noun.name.starts_with("stacked ");
-    if (!mention.introduces || !stacked || mention.items.size() < 2 || mention.items.size() > kMostInStack || noun.entry == nullptr)
-      continue;
+    const std::size_t height = noun.together > 1 ? static_cast<std::size_t>(noun.together) : mention.items.size();
+    if (!mention.introduces || !stacked || mention.items.size() < 2 || height > kMostInStack || noun.entry == nullptr) continue;
     if (mount_of(noun) != Mount::kFloor || is_seat(catalog_, noun)) continue;
     Link link;
     link.first = noun.first;
     link.last = noun.last;
-    for (std::size_t i = 1; i < mention.items.size(); ++i) add(link, R::kOn, {id(mention.items[i])}, {id(mention.items[i - 1])});
+    std::vector<int> lowest;
+    for (std::size_t i = 0; i < mention.items.size(); ++i) {
+      if (i % height == 0)
+        lowest.push_back(mention.items[i]);
+      else
+        add(link, R::kOn, {id(mention.items[i])}, {id(mention.items[i - 1])});
+    }
+    if (lowest.size() > 1) add(link, R::kRow, ids(lowest), {});
   }
 }
 

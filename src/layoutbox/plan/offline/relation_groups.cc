@@ -134,6 +134,7 @@ bool RelationBuilder::lie_on(const Link& link, const std::vector<int>& items, in
 bool RelationBuilder::seats_one_side(const Link& link, int seat, int host) const {
   const CatalogEntry* entry = noun_of_item(host).entry;
   if (entry == nullptr || !entry->has_front || !is_seat(catalog_, noun_of_item(seat))) return false;
+  if (is_worked_at(noun_of_item(host))) return one_of(document_.tokens[link.first].text, {"at", "before"});
   const bool bench = entry->is(Trait::kDeskLike) && entry->used_sides == std::vector{Side::kFront};
   const bool counter = entry->is(Trait::kCounter) || entry->is(Trait::kDesk) || bench;
   const std::string words = words_between(document_, link.first, link.last);
@@ -154,6 +155,14 @@ void RelationBuilder::add_in_middle(const Link& link, const PhraseSense& sense, 
   if (!flat.empty()) add(link, sense.type, ids(flat), {}, sense);
   if (!standing.empty()) add(link, sense.type, ids(standing), {}, sense);
   if (flat.size() == 1 && standing.size() == 1) add(link, R::kUnder, ids(flat), ids(standing));
+}
+
+// "one hatch at each end": as tall as a door, so the ends are those of the room.
+bool RelationBuilder::is_tall_end(const Link& link, int target) const {
+  constexpr Mm kDoor = 1500;
+  const CatalogEntry* entry = noun_of_item(target).entry;
+  return link.implied && entry != nullptr && entry->size.usual.height > kDoor &&
+         words_between(document_, link.first, link.last).find("end") != std::string::npos;
 }
 
 // In a ring where nothing has sides; spread over the sides of a table.
@@ -229,8 +238,9 @@ void RelationBuilder::add_group(const Link& link, PhraseSense sense, const std::
     if (in_ring(targets, references)) sense.type = R::kSurround;
   }
   const auto lies = [&](int item) { return noun_of_item(item).entry != nullptr && noun_of_item(item).entry->thin; };
-  if (sense.type == R::kEachSideOf && references.size() == 1 && lies(references.front()) &&
-      mount_of(noun_of_item(targets.front())) == Mount::kWall) {  // banners on both sides of a carpet: on the walls there
+  const bool hung = mount_of(noun_of_item(targets.front())) == Mount::kWall;
+  // Banners on both sides of a carpet, a hatch "at each end" of nothing that is named: on the walls there.
+  if (sense.type == R::kEachSideOf && references.size() == 1 && hung && (lies(references.front()) || is_tall_end(link, targets.front()))) {
     for (std::size_t t = 0; t < targets.size(); ++t) add(link, R::kOnWall, {id(targets[t])}, {t % 2 == 0 ? "left" : "right"});
     return;
   }
@@ -321,6 +331,7 @@ void RelationBuilder::add_clusters() {
     const auto together = static_cast<std::size_t>(mention.noun.together);
     const auto clusters = together > 1 ? mention.items.size() / together : static_cast<std::size_t>(std::max(mention.noun.clusters, 0));
     if (!mention.introduces || clusters == 0 || mount_of(mention.noun) != Mount::kFloor || mention.items.size() % clusters != 0) continue;
+    if (contains_word(mention.noun.attributes, "stacked")) continue;
     const std::size_t share = mention.items.size() / clusters;
     if (share < 2 || look_at_one_thing(mention) || (clusters == 1 && (share < 4 || !are_desks(mention.items)))) continue;
     // "armchairs in groups of four around coffee tables": the tables make the groups.

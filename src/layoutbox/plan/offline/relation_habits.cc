@@ -145,7 +145,10 @@ void RelationBuilder::add_end_walls() {
     const bool stands =
         entry->mount == Mount::kFloor && entry->back_to_wall && !entry->is(Trait::kDeskLike) && !entry->is(Trait::kKitchenRun);
     const bool flat = entry->mount == Mount::kFloor && 4 * entry->size.usual.depth <= entry->size.usual.width;  // a folding screen
-    if (!hangs && !stands && !flat) continue;
+    // A bench for those who wait, where no table is.
+    const bool waits = one_of(noun_of_object(*object).head, {"bench"}) && object->mount.value_or(entry->mount) == Mount::kFloor &&
+                       std::ranges::none_of(scene_.objects, [&](const SceneObject& o) { return is_table(catalog_, noun_of_object(o)); });
+    if (!hangs && !stands && !flat && !waits) continue;
     const std::vector<std::size_t>& own = relations_of(object->id);
     if (std::ranges::any_of(own, [&](std::size_t i) { return at_wall(scene_.relations[i].type); })) continue;
     add_habit(hangs ? R::kOnWall : R::kAgainstWall, region.targets, {std::string(end)}, 80,

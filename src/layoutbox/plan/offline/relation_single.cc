@@ -129,9 +129,15 @@ bool RelationBuilder::add_before_seats(const Link& link, const PhraseSense& sens
   return laid == target.items.size();
 }
 
+// "two seats at a panel of dials" on the wall, as at a desk.
+bool RelationBuilder::is_worked_at(const NounPhrase& noun) const {
+  return mount_of(noun) == Mount::kWall && noun.entry != nullptr && !noun.entry->used_sides.empty() && !noun.entry->is(Trait::kCurtain) &&
+         !noun.entry->is(Trait::kMirror);
+}
+
 // A seat "at" a table, "drawn up to" it, is used there, from any side.
 bool RelationBuilder::sits_at(const Link& link, const PhraseSense& sense, const NounPhrase& seat, const NounPhrase& table) const {
-  if (!is_seat(catalog_, seat) || !is_table(catalog_, table)) return false;
+  if (!is_seat(catalog_, seat) || !(is_table(catalog_, table) || is_worked_at(table))) return false;
   const std::string& word = document_.tokens[link.first].text;
   if (sense.type == R::kInFrontOf) return one_of(word, {"pulled", "drawn"});
   return sense.type == R::kNextTo && one_of(word, {"at", "to", "for"});
@@ -239,6 +245,21 @@ bool RelationBuilder::add_over_table_between(const Link& link, const PhraseSense
 
 // As many as there are references: one for each; more: shared out; fewer: by all that can be so.
 void RelationBuilder::add_for_each(const Link& link, PhraseSense sense, const Mention& target, const std::vector<int>& references) {
+  if (references.size() == 1 && add_rows_behind(link, sense, target, references.front())) return;
+  // "a bench for the judge, twelve seats on the right": so many do not stand beside one thing, they are at that side of the room.
+  constexpr std::size_t kMostBeside = 3;
+  const bool sideways = sense.type == R::kLeftOf || sense.type == R::kRightOf;
+  // "a dumbbell rack, a mirror wall on the right"
+  const bool covers_wall = mount_of(target.noun) == Mount::kWall && target.noun.name.ends_with(" wall");
+  if (sideways && link.implied && references.size() == 1 && covers_wall) {
+    for (const int item : target.items) add(link, R::kOnWall, {id(item)}, {sense.type == R::kLeftOf ? "left" : "right"});
+    return;
+  }
+  if (sideways && link.implied && references.size() == 1 && target.items.size() > kMostBeside && mount_of(target.noun) == Mount::kFloor) {
+    const PhraseSense side{R::kInRegion, Direction::kDirect, {}, sense.type == R::kLeftOf ? RoomRegion::kLeft : RoomRegion::kRight, {}};
+    for (const int item : target.items) add(link, side.type, {id(item)}, {}, side);
+    return;
+  }
   const bool seat_at = references.size() > 1 && sits_at(link, sense, target.noun, noun_of_item(references.front()));
   if (seat_at && target.items.size() > references.size()) {
     add_group(link, {R::kAround, Direction::kDirect, {}, {}, {}}, target.items, references, nullptr);

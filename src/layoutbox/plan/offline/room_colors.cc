@@ -46,6 +46,7 @@ Scheme scheme_at(const Lexicon& lexicon, const std::vector<Token>& tokens, std::
       break;
     }
   }
+  if (i > at && is_shade(tokens[i - 1])) return {};  // "Red light." is a lamp's
   scheme.length = i - at;
   return scheme;
 }

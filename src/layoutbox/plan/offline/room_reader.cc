@@ -60,6 +60,16 @@ void add_opening(SceneGraph& scene, OpeningType type, const NounPhrase& noun, co
   scene.room.openings.push_back(std::move(opening));
 }
 
+}  // namespace
+
+void add_assumed_opening(SceneGraph& scene, OpeningType type, const std::string& wall) {
+  add_opening(scene, type, {}, wall);
+  scene.room.openings.back().origin = Origin::kAssumed;
+  scene.notes.push_back({"filled", std::string("a ") + std::string(name_of(type)) + " is assumed", "/room/openings"});
+}
+
+namespace {
+
 // "a double door", "large windows", "the red door": what a default one is not.
 bool is_described(OpeningType type, const NounPhrase& noun) {
   const Opening opening = opening_said(type, noun);
@@ -68,7 +78,9 @@ bool is_described(OpeningType type, const NounPhrase& noun) {
 
 // "no windows", "a windowless room"
 bool wants_no_window(const Document& document) {
-  const auto windowless = [](const NounPhrase& room) { return room.name.find("windowless") != std::string::npos; };
+  const auto windowless = [](const NounPhrase& room) {
+    return std::ranges::any_of(words_of(room.name), [](const std::string& word) { return one_of(word, WordSet::kWithoutDaylight); });
+  };
   return std::any_of(document.excluded.begin(), document.excluded.end(), [](const NounPhrase& n) { return n.kind == NounKind::kWindow; }) ||
          std::any_of(document.rooms.begin(), document.rooms.end(), windowless);
 }
@@ -321,10 +333,8 @@ void add_needed_openings(const Document& document, SceneGraph& scene) {
       if (is_there(type, room)) continue;
       if (type == OpeningType::kWindow && windowless) continue;
       const bool across = !room.openings.empty() && std::ranges::any_of(placed, [](const auto& p) { return p.wall == "across"; });
-      add_opening(scene, type, {}, across ? wall_across(room.openings.front().wall) : std::string{});
-      room.openings.back().origin = Origin::kAssumed;
+      add_assumed_opening(scene, type, across ? wall_across(room.openings.front().wall) : std::string{});
       if (outdoors) room.openings.back().wall = "back", room.openings.back().attributes = {"glass"};  // where the house is
-      scene.notes.push_back({"filled", std::string("a ") + std::string(name_of(type)) + " is assumed", "/room/openings"});
     }
   }
 }

@@ -51,6 +51,9 @@ std::string bare_name(const NounPhrase& noun);
 
 std::string wall_across(std::string_view wall);
 
+// A door or window that nobody spoke of, at that wall or at any.
+void add_assumed_opening(SceneGraph& scene, OpeningType type, const std::string& wall);
+
 // A door or a window as a noun phrase says it, without an id and a place.
 Opening opening_said(OpeningType type, const NounPhrase& noun);
 

@@ -34,4 +34,29 @@ void RelationBuilder::fill_whole_walls() {
   }
 }
 
+// "three rows of benches behind a low rail": the rail goes along all of a row, and the last row is as much behind it as the first.
+bool RelationBuilder::add_rows_behind(const Link& link, const PhraseSense& sense, const Mention& target, int barrier) {
+  constexpr Mm kThin = 120, kFarthest = 8000, kBetween = 100;
+  const int rows = target.noun.rows, count = static_cast<int>(target.items.size());
+  const CatalogEntry *entry = noun_of_item(barrier).entry, *member = target.noun.entry;
+  const auto object = std::ranges::find(scene_.objects, id(barrier), &SceneObject::id);
+  const bool parts = entry != nullptr && entry->mount == Mount::kFloor && entry->size.usual.depth <= kThin;
+  if (sense.type != R::kBehind || rows < 2 || !parts || member == nullptr || object == scene_.objects.end()) return false;
+  if (object->size_source != SizeSource::kUser) {
+    const Mm length = (count + rows - 1) / rows * (member->size.usual.width + kBetween);
+    SizeRange range = object->size.value_or(entry->size);
+    range.usual.width = range.greatest.width = std::max(range.usual.width, length);
+    object->size = range;
+    object->size_source = SizeSource::kInferred;
+  }
+  for (const int item : target.items) {
+    add(link, R::kBehind, {id(item)}, {id(barrier)});
+    scene_.relations.back().parameters.max = kFarthest;
+  }
+  Link along = link;
+  along.concluded = true;
+  add(along, R::kSameOrientation, {id(target.items.front())}, {id(barrier)});
+  return true;
+}
+
 }  // namespace layoutbox::offline

@@ -110,7 +110,7 @@ const PhraseSenses* UnitReader::end_of_room(std::size_t k) const {
   if (tokens[place.last - 1].text != "end" || (place.last < tokens.size() && tokens[place.last].text == "of")) return nullptr;
   const bool other = place.last >= 2 && tokens[place.last - 2].text == "other";
   const bool end = place.last == place.first + 3 && tokens[place.first].text == "at" && tokens[place.first + 1].text == "the";
-  if (!other && !end && !place.phrase.one) return nullptr;
+  if ((!other && !end && !place.phrase.one) || tokens[place.last - 2].text == "each") return nullptr;
   if (other && tells_of_end_of_room(k)) return &kNear;
   std::size_t thing = previous(k);
   // "the kitchen is at one end …, and at the other end a sofa"
@@ -121,7 +121,9 @@ const PhraseSenses* UnitReader::end_of_room(std::size_t k) const {
   thing = carrier_of(thing);
   if (is(previous(thing), ChunkKind::kHave)) return nullptr;  // "a counter with a fridge at one end"
   const CatalogEntry* entry = chunk(thing).noun.entry;
-  const bool board = entry != nullptr && entry->is(Trait::kScreen) && (entry->mount == Mount::kWall || entry->is(Trait::kElseOnWall));
+  constexpr Mm kDoor = 1500;  // an airlock is in a wall of the room
+  const bool board = entry != nullptr && ((entry->is(Trait::kScreen) && (entry->mount == Mount::kWall || entry->is(Trait::kElseOnWall))) ||
+                                          (entry->mount == Mount::kWall && entry->size.usual.height > kDoor));
   const bool stands = mount_of(chunk(thing).noun) == Mount::kFloor && !is_seat(lexicon_.catalog(), chunk(thing).noun);
   return !board && !stands ? nullptr : other ? &kOther : end ? &kFar : &kOne;
 }

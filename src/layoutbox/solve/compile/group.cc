@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "layoutbox/catalog/close_rows.h"
 #include "layoutbox/solve/compile/phrases.h"
 #include "layoutbox/solve/priors/seating.h"
 
@@ -25,14 +26,18 @@ std::vector<int> axes_of(const Compilation& c) {
 }
 
 // Targets in a line along an axis, in that order; `gap` 0 or more: exactly so far apart.
-void require_line(Case& c, const std::vector<int>& order, int axis, const std::optional<Mm>& gap, int edge) {
+void require_line(const PlacementModel& model, Case& c, const std::vector<int>& order, int axis, const std::optional<Mm>& gap, int edge) {
+  const bool close = std::ranges::all_of(order, [&](int item) {
+    const Item& one = model.items[item];
+    return !one.is_opening() && one.mount == Mount::kFloor && layoutbox::stands_close(*one.entry);
+  });
   for (std::size_t i = 1; i < order.size(); ++i) {
     const int a = order[i - 1], b = order[i];
     const Linear between = lo(b, axis) - hi(a, axis);
     if (gap) {
       c.require_small(between - Linear(*gap), 0);
     } else {
-      c.require(between).wish(between - Linear(150), 20);
+      c.require(between).wish(between - Linear(close ? 0 : 150), close ? 100 : 20);
     }
     const int other = 1 - axis;
     if (edge == 0) c.require_small(mid2(b, other) - mid2(order[0], other), 1);
@@ -51,7 +56,7 @@ void line_of_all(Compilation& c, const std::vector<int>& axes) {
     for (const int axis : axes) {
       for (const int edge : {0, 1, 2}) {
         Case& in = f.add();
-        require_line(in, order, axis, c.relation.parameters.gap, edge);
+        require_line(c.model, in, order, axis, c.relation.parameters.gap, edge);
         // The same way round, as a row is.
         in.price = edge * 5;
       }
