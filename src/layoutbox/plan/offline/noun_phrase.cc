@@ -57,8 +57,8 @@ void NounPhraseReader::count_singly(const PhrasePart& head) {
   const std::string& last = tokens_[head.last - 1].text;
   const std::string single = named.substr(0, named.size() - last.size()) + singular_of(last);
   if (single == named || std::ranges::find(phrase_.entry->synonyms, named) == phrase_.entry->synonyms.end()) return;
-  const CatalogEntry* own = lexicon_.catalog().find_by_words(single);
-  if (own == nullptr || own == phrase_.entry || !is_called(*own, single)) return;
+  const CatalogEntry* own = lexicon_.entry_called(single);
+  if (own == nullptr || own == phrase_.entry) return;
   phrase_.entry = own, phrase_.category = own->id, phrase_.exact = true;
 }
 
