@@ -221,6 +221,21 @@ void RelationBuilder::add_gap(const Link& link) {
   }
 }
 
+// "ten tables, each with a board and a clock, in two rows of five": what each has one of, and no more; else the things themselves.
+std::vector<int> RelationBuilder::bearers_of(std::vector<int> things) const {
+  constexpr int kDeepest = 3;
+  for (int depth = 0; depth < kDeepest && mount_of(noun_of_item(things.front())) == Mount::kSurface; ++depth) {
+    const auto has_them = [&](const Link& link) {
+      return link.kind == Link::Kind::kHave && items_of(link.references).size() == things.size() &&
+             std::ranges::any_of(link.targets, [&](int m) { return mention(m).items == things; });
+    };
+    const auto held = std::ranges::find_if(document_.links, has_them);
+    if (held == document_.links.end()) break;
+    things = items_of(held->references);
+  }
+  return things;
+}
+
 // "in a row", "on the ceiling": by nothing that is named.
 void RelationBuilder::add_alone(const Link& link, const std::vector<int>& targets) {
   const auto stands_alone = [](const PhraseSense& sense) {
@@ -230,7 +245,7 @@ void RelationBuilder::add_alone(const Link& link, const std::vector<int>& target
   };
   const auto sense = std::ranges::find_if(link.senses, stands_alone);
   if (sense == link.senses.end()) return;
-  if (traits_of(sense->type).of_group) return add_group(link, *sense, targets, {}, nullptr);
+  if (traits_of(sense->type).of_group) return add_group(link, *sense, sense->type == R::kGrid ? bearers_of(targets) : targets, {}, nullptr);
   for (const int target : targets) add(link, sense->type, {id(target)}, {}, *sense);
 }
 

@@ -128,6 +128,7 @@ class RelationBuilder {
   // "across from" is a gap as well, which holds even where the two cannot look at each other.
   void add_across(const Link& link, int item, const std::vector<std::string>& reference);
   void stand_across_openings();
+  std::vector<int> bearers_of(std::vector<int> things) const;
   bool add_rows_behind(const Link& link, const PhraseSense& sense, const Mention& target, int barrier);
   bool stands_across(const Relation& r, const std::string& opening) const;
   void stand_at_wall_across(const std::string& opening, const std::string& wall);
