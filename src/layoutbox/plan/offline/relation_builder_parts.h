@@ -128,6 +128,10 @@ class RelationBuilder {
   // "across from" is a gap as well, which holds even where the two cannot look at each other.
   void add_across(const Link& link, int item, const std::vector<std::string>& reference);
   void stand_across_openings();
+  bool add_as_many(const Link& link, const PhraseSense& sense, const Mention& target, const std::vector<int>& references);
+  std::optional<PhraseSense> sense_to_each_other(const Link& link, const std::vector<int>& said, const NounPhrase& target,
+                                                 const NounPhrase& other) const;
+  bool hang_at_sides(const Link& link, const std::vector<int>& targets, const std::vector<int>& references) const;
   std::vector<int> bearers_of(std::vector<int> things) const;
   bool add_rows_behind(const Link& link, const PhraseSense& sense, const Mention& target, int barrier);
   bool stands_across(const Relation& r, const std::string& opening) const;

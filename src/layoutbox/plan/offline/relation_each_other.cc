@@ -27,6 +27,7 @@ std::vector<int> RelationBuilder::by_shares(const std::vector<int>& targets) con
 
 // "at each of the four tables two chairs face each other": those at one table, where two are at each; else as they come.
 std::vector<int> RelationBuilder::by_tables(const std::vector<int>& targets) const {
+  if (std::vector<int> shared = by_shares(targets); !shared.empty()) return shared;
   std::vector<std::pair<std::string, std::vector<int>>> tables;
   for (const int target : targets) {
     const std::vector<std::size_t>& all = relations_of(id(target));
@@ -76,14 +77,20 @@ void RelationBuilder::add_island_of_backs(const Link& link, const std::vector<in
   }
 }
 
+// What the phrase means of things to one another; over a table that two share "opposite" is facing, however near.
+std::optional<PhraseSense> RelationBuilder::sense_to_each_other(const Link& link, const std::vector<int>& said, const NounPhrase& target,
+                                                                const NounPhrase& other) const {
+  auto sense = choose_sense(catalog_, link.senses, Direction::kDirect, target, other);
+  if (sense && sense->type == R::kOpposite && !by_shares(said).empty()) sense->type = R::kFacing;
+  return sense;
+}
+
 void RelationBuilder::add_each_other(const Link& link, const std::vector<int>& said) {
   if (said.size() < 2 || link.senses.empty()) return;
-  const std::vector<int> shared = by_shares(said);
-  const std::vector<int> targets = shared.empty() ? by_tables(said) : shared;
+  const std::vector<int> targets = by_tables(said);
   const NounPhrase& other = noun_of_item(targets.front());
-  auto sense = choose_sense(catalog_, link.senses, Direction::kDirect, noun_of_item(targets.back()), other);
+  const auto sense = sense_to_each_other(link, said, noun_of_item(targets.back()), other);
   if (!sense) return;
-  if (!shared.empty() && sense->type == R::kOpposite) sense->type = R::kFacing;  // over their table, however near
   // Two benches at each of four tables face each other two by two.
   const bool in_pairs = targets.size() > 2 && other.count == 2;
   // "two rows of desks facing each other", "four armchairs face each other": each has one across; of an odd number they go round.

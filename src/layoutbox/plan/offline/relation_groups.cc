@@ -157,6 +157,13 @@ void RelationBuilder::add_in_middle(const Link& link, const PhraseSense& sense, 
   if (flat.size() == 1 && standing.size() == 1) add(link, R::kUnder, ids(flat), ids(standing));
 }
 
+// Banners on both sides of a carpet, a hatch "at each end" of nothing that is named: on the walls there.
+bool RelationBuilder::hang_at_sides(const Link& link, const std::vector<int>& targets, const std::vector<int>& references) const {
+  const CatalogEntry* host = noun_of_item(references.front()).entry;
+  const bool lies = host != nullptr && host->thin;
+  return mount_of(noun_of_item(targets.front())) == Mount::kWall && (lies || is_tall_end(link, targets.front()));
+}
+
 // "one hatch at each end": as tall as a door, so the ends are those of the room.
 bool RelationBuilder::is_tall_end(const Link& link, int target) const {
   constexpr Mm kDoor = 1500;
@@ -237,10 +244,7 @@ void RelationBuilder::add_group(const Link& link, PhraseSense sense, const std::
     }
     if (in_ring(targets, references)) sense.type = R::kSurround;
   }
-  const auto lies = [&](int item) { return noun_of_item(item).entry != nullptr && noun_of_item(item).entry->thin; };
-  const bool hung = mount_of(noun_of_item(targets.front())) == Mount::kWall;
-  // Banners on both sides of a carpet, a hatch "at each end" of nothing that is named: on the walls there.
-  if (sense.type == R::kEachSideOf && references.size() == 1 && hung && (lies(references.front()) || is_tall_end(link, targets.front()))) {
+  if (sense.type == R::kEachSideOf && references.size() == 1 && hang_at_sides(link, targets, references)) {
     for (std::size_t t = 0; t < targets.size(); ++t) add(link, R::kOnWall, {id(targets[t])}, {t % 2 == 0 ? "left" : "right"});
     return;
   }

@@ -221,7 +221,9 @@ void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Ment
     sense.type = is_used_within(object(target.items.front()), object(references.front())) ? R::kInside : R::kOn;
   }
   if (references.size() == 1 && add_by_one(link, sense, target, references.front())) return;
-  if (add_under_hung(link, sense, target, references) || add_by_carrier(link, sense, target, references.front())) return;
+  if (add_under_hung(link, sense, target, references) || add_by_carrier(link, sense, target, references.front()) ||
+      add_as_many(link, sense, target, references))
+    return;
   // "A mirror wall in front" of mats: on the wall there, not on the floor before them.
   if (sense.type == R::kInFrontOf && mount_of(target.noun) == Mount::kWall && target.noun.entry != nullptr &&
       target.noun.entry->is(Trait::kMirror)) {
@@ -243,23 +245,28 @@ bool RelationBuilder::add_over_table_between(const Link& link, const PhraseSense
   return true;
 }
 
+// Rows behind a rail; what is at a side of the room and not of one thing.
+bool RelationBuilder::add_as_many(const Link& link, const PhraseSense& sense, const Mention& target, const std::vector<int>& references) {
+  constexpr std::size_t kMostBeside = 3;
+  if (references.size() != 1) return false;
+  if (add_rows_behind(link, sense, target, references.front())) return true;
+  if ((sense.type != R::kLeftOf && sense.type != R::kRightOf) || !link.implied) return false;
+  const bool left = sense.type == R::kLeftOf;
+  const Mount mount = mount_of(target.noun);
+  // "a dumbbell rack, a mirror wall on the right"
+  if (mount == Mount::kWall && target.noun.name.ends_with(" wall")) {
+    for (const int item : target.items) add(link, R::kOnWall, {id(item)}, {left ? "left" : "right"});
+    return true;
+  }
+  // "a bench for the judge, twelve seats on the right": so many do not stand beside one thing.
+  if (mount != Mount::kFloor || target.items.size() <= kMostBeside) return false;
+  const PhraseSense side{R::kInRegion, Direction::kDirect, {}, left ? RoomRegion::kLeft : RoomRegion::kRight, {}};
+  for (const int item : target.items) add(link, side.type, {id(item)}, {}, side);
+  return true;
+}
+
 // As many as there are references: one for each; more: shared out; fewer: by all that can be so.
 void RelationBuilder::add_for_each(const Link& link, PhraseSense sense, const Mention& target, const std::vector<int>& references) {
-  if (references.size() == 1 && add_rows_behind(link, sense, target, references.front())) return;
-  // "a bench for the judge, twelve seats on the right": so many do not stand beside one thing, they are at that side of the room.
-  constexpr std::size_t kMostBeside = 3;
-  const bool sideways = sense.type == R::kLeftOf || sense.type == R::kRightOf;
-  // "a dumbbell rack, a mirror wall on the right"
-  const bool covers_wall = mount_of(target.noun) == Mount::kWall && target.noun.name.ends_with(" wall");
-  if (sideways && link.implied && references.size() == 1 && covers_wall) {
-    for (const int item : target.items) add(link, R::kOnWall, {id(item)}, {sense.type == R::kLeftOf ? "left" : "right"});
-    return;
-  }
-  if (sideways && link.implied && references.size() == 1 && target.items.size() > kMostBeside && mount_of(target.noun) == Mount::kFloor) {
-    const PhraseSense side{R::kInRegion, Direction::kDirect, {}, sense.type == R::kLeftOf ? RoomRegion::kLeft : RoomRegion::kRight, {}};
-    for (const int item : target.items) add(link, side.type, {id(item)}, {}, side);
-    return;
-  }
   const bool seat_at = references.size() > 1 && sits_at(link, sense, target.noun, noun_of_item(references.front()));
   if (seat_at && target.items.size() > references.size()) {
     add_group(link, {R::kAround, Direction::kDirect, {}, {}, {}}, target.items, references, nullptr);
