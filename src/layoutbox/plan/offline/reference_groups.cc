@@ -65,6 +65,19 @@ std::size_t References::share_of_each(int group, const NounPhrase& member) const
   return said;
 }
 
+namespace {
+
+// So many of every `share` that follow one another, of those that are not picked yet.
+void pick_of_each(const std::vector<int>& all, const std::vector<int>& picked, std::size_t share, std::size_t count, Mention& mention) {
+  for (std::size_t first = 0; first < all.size(); first += share) {
+    for (std::size_t i = first, left = count; i < first + share && left > 0; ++i) {
+      if (!contains(picked, all[i])) mention.items.push_back(all[i]), --left;
+    }
+  }
+}
+
+}  // namespace
+
 void References::choose_members(Mention& mention, const NounPhrase& noun, int antecedent) {
   if (noun.determiner == Determiner::kDefinite) {
     if (const int item = described(noun); item >= 0) {
@@ -100,11 +113,7 @@ void References::choose_members(Mention& mention, const NounPhrase& noun, int an
       if (!contains(picked, item)) mention.items.push_back(item);
     }
   } else if (const std::size_t share = share_of_each(antecedent, noun); share > count) {
-    for (std::size_t first = 0; first < all.size(); first += share) {
-      for (std::size_t i = first, left = count; i < first + share && left > 0; ++i) {
-        if (!contains(picked, all[i])) mention.items.push_back(all[i]), --left;
-      }
-    }
+    pick_of_each(all, picked, share, count, mention);
   } else {
     for (const int item : all) {
       if (mention.items.size() < count && !contains(picked, item)) mention.items.push_back(item);
