@@ -247,6 +247,11 @@ bool Decoder::stands_small(const NounPhrase& noun) const {
          std::max(noun.entry->size.usual.width, noun.entry->size.usual.depth) <= kWide && !is_table(lexicon_.catalog(), noun);
 }
 
+// It may lie there, or stand there where it is small: "a chest with a plant on it".
+bool Decoder::has_top_for(const NounPhrase& host, const NounPhrase& noun) const {
+  return sense_.carries(host, noun) || (stands_small(noun) && mount_of(host) == Mount::kFloor && !is_lamp(lexicon_.catalog(), host));
+}
+
 // "with the press, the rack and the scale on it": what such a list names, from the noun at u on, lies on its host, whatever it is.
 bool Decoder::lists_on_it(int u) const {
   while (is(u + 1, UnitKind::kNoun) && unit(u + 1).joiner != Joiner::kNone && !unit(u + 1).clause) ++u;
