@@ -148,7 +148,8 @@ class WordingReader : public TokenReader {
     if (!is(i, {"left"}) || i == 0 || ends(i - 1) ||
         is(i - 1, {"the", "its", "his", "her", "far", "on", "to", "one", "other", "is", "turn"}))
       return;
-    if (!is(i + 1, {"on", "in", "under", "by", "beside", "behind", "near", "at", "inside", "there", "over", "across", "lying", "standing"}))
+    if (!is(i + 1, {"on", "in", "under", "by", "beside", "behind", "near", "at", "inside", "there", "over", "across", "against", "lying",
+                    "standing"}))
       return;
     for (std::size_t at = i; at < tokens_.size() && !tokens_[at].ends_sentence; ++at) {
       if (is(at, {"right"})) return;  // "bed left by the window, desk right"
@@ -156,7 +157,7 @@ class WordingReader : public TokenReader {
     const Meaning* thing = meaning_of(lexicon_.find(tokens_, i - 1, WordClass::kObject), WordClass::kObject);
     constexpr Mm kLeftBehind = 700;  // what somebody puts down
     if (thing != nullptr && thing->entry != nullptr && thing->entry->size.usual.width > kLeftBehind) return;
-    tokens_[i].text = "kept";
+    tokens_[i].text = is(i + 1, {"over", "across"}) ? "draped" : "kept";
   }
 
   // "the dentist's stool on the right and the assistant's on the left": a stool as well.

@@ -28,7 +28,8 @@ bool UnitReader::passes_company(std::size_t k) {
   if (with == 0) return false;
   const std::string& word = document_.tokens[with].text;
   const std::string before = singular_of(document_.tokens[with - 1].text);
-  const bool owns = one_of(word, {"have", "has", "own", "owns"}) && one_of(before, {"i", "we", "she", "he", "they", "who"});
+  const bool owns = one_of(word, {"have", "has", "own", "owns"}) &&
+                    (one_of(before, {"i", "we", "she", "he", "they", "who"}) || noun_form(before) == WordForm::kPerson);
   if (word != "with" && !owns) return false;
   const bool whom = owns || one_of(before, WordSet::kHouseholds) || lexicon_.is_person(before) || lexicon_.is_young(before) ||
                     word_form(before) == WordForm::kPerson || noun_form(before) == WordForm::kPerson;

@@ -132,8 +132,7 @@ bool UnitReader::brings_each(std::size_t k) {
 // "No doors", "a cell without a door"; not "a cabinet without doors".
 bool UnitReader::denies_doors(std::size_t k) const {
   const std::size_t host = last_noun();
-  return chunk(k).noun.kind == NounKind::kDoor && joiner_ == Joiner::kNone &&
-         (host >= document_.chunks.size() || chunk(host).noun.kind == NounKind::kRoom);
+  return chunk(k).noun.kind == NounKind::kDoor && (host >= document_.chunks.size() || chunk(host).noun.kind == NounKind::kRoom);
 }
 
 // The list from n on has a place of its own in the room: "dog bed beside the radiator", "bed, desk in the corner".
