@@ -40,7 +40,7 @@ class LookReader {
     constexpr std::size_t kMost = 3;
     const auto is_shade = [&](std::size_t k) {
       return is(k, WordClass::kQuality) || is(k, WordClass::kStyle) || is(k, WordClass::kAdverb) ||
-             word_form(tokens_[k].text) == WordForm::kAdjective;
+             word_form(tokens_[k].text) == WordForm::kAdjective || tokens_[k].text.ends_with("able");  // "washable grey"
     };
     for (std::size_t k = 0; k < kMost && i < tokens_.size() && length_at(i) == 0 && is_shade(i); ++k) ++i;
     return i;

@@ -81,11 +81,12 @@ struct Document {
   std::vector<TextItem> items;
   std::vector<Mention> mentions;
   std::vector<Link> links;
-  std::vector<NounPhrase> excluded;   // "no coffee table"
-  std::vector<NounPhrase> rooms;      // kinds of room that were named, in order
-  std::vector<NounPhrase> openings;   // doors and windows that were spoken of
-  std::vector<WordReading> readings;  // one a token
-  std::vector<CloseReading> close;    // words that may as well mean something else
+  std::vector<NounPhrase> excluded;         // "no coffee table"
+  std::vector<NounPhrase> rooms;            // kinds of room that were named, in order
+  std::vector<NounPhrase> rooms_elsewhere;  // where somebody works
+  std::vector<NounPhrase> openings;         // doors and windows that were spoken of
+  std::vector<WordReading> readings;        // one a token
+  std::vector<CloseReading> close;          // words that may as well mean something else
   std::vector<Note> notes;
   std::vector<Zone> zones;
   std::optional<Niche> niche;

@@ -245,6 +245,10 @@ void NounPhraseReader::read_of() {
     return;
   }
   if (!base) return;
+  // "a table of glass": what furniture is made of is no part of its name
+  const std::size_t stuff = lexicon_.find(tokens_, i_ + 1, WordClass::kMaterial).length;
+  const bool furniture = bare && phrase_.entry != nullptr && phrase_.entry->mount == Mount::kFloor;
+  if (furniture && stuff > 0 && base->last == i_ + 1 + stuff && base->determiner == Determiner::kNone && base->count == 0) return;
   // "a shoebox of a bedroom" at the very beginning; a "model of a theater" is a thing
   constexpr std::size_t kOpening = 4;
   if (bare && phrase_.first < kOpening && base->kind == NounKind::kRoom && base->determiner == Determiner::kIndefinite) {

@@ -77,12 +77,17 @@ bool is_described(OpeningType type, const NounPhrase& noun) {
 }
 
 // "no windows", "a windowless room"
-bool wants_no_window(const Document& document) {
-  const auto windowless = [](const NounPhrase& room) {
-    return std::ranges::any_of(words_of(room.name), [](const std::string& word) { return one_of(word, WordSet::kWithoutDaylight); });
+bool wants_none(const Document& document, OpeningType type) {
+  const bool door = type == OpeningType::kDoor;
+  const NounKind kind = door ? NounKind::kDoor : NounKind::kWindow;
+  const std::string_view word = door ? "doorless" : "windowless";
+  const auto of_room = [&](const NounPhrase& room) {
+    return std::ranges::find(room.attributes, word) != room.attributes.end() ||
+           (!door && std::ranges::any_of(words_of(room.name), [](const std::string& w) { return one_of(w, WordSet::kWithoutDaylight); }));
   };
-  return std::any_of(document.excluded.begin(), document.excluded.end(), [](const NounPhrase& n) { return n.kind == NounKind::kWindow; }) ||
-         std::any_of(document.rooms.begin(), document.rooms.end(), windowless);
+  return std::ranges::any_of(document.excluded, [&](const NounPhrase& noun) { return noun.kind == kind; }) ||
+         std::ranges::any_of(document.rooms, of_room) ||  // not "a doorless wardrobe"
+         (!door && std::ranges::any_of(document.tokens, [&](const Token& token) { return token.text == word; }));
 }
 
 // Those of that type whose size nobody gave take that of `like`.
@@ -317,21 +322,22 @@ std::string wall_of_seat_in_window(const Document& document) {
   return {};
 }
 
-// One kind named, the other is still needed; nobody wants to do without a door.
+// One kind named, the other is still needed, where it is not said that there is none.
 void add_needed_openings(const Document& document, SceneGraph& scene) {
   Room& room = scene.room;
   const bool outdoors = room.type == "balcony";
-  const bool windowless = wants_no_window(document) || outdoors;
+  const bool windowless = wants_none(document, OpeningType::kWindow) || outdoors, doorless = wants_none(document, OpeningType::kDoor);
   const PlacedOpenings placed = placed_openings(document);
   for (Opening& opening : room.openings) {
     const OpeningLook look = look_of(opening);
     if (look.bay && opening.wall.empty()) opening.wall = wall_of_seat_in_window(document);
     if ((look.outside || look.whole || look.bay) && opening.wall.empty()) opening.wall = wall_to_outside(document, room);
   }
-  if (!room.openings.empty() || windowless) {
+  room.openings_given = windowless && doorless;
+  if (!room.openings.empty() || windowless || doorless) {
     for (const OpeningType type : {OpeningType::kDoor, OpeningType::kWindow}) {
       if (is_there(type, room)) continue;
-      if (type == OpeningType::kWindow && windowless) continue;
+      if (type == OpeningType::kWindow ? windowless : doorless) continue;
       const bool across = !room.openings.empty() && std::ranges::any_of(placed, [](const auto& p) { return p.wall == "across"; });
       add_assumed_opening(scene, type, across ? wall_across(room.openings.front().wall) : std::string{});
       if (outdoors) room.openings.back().wall = "back", room.openings.back().attributes = {"glass"};  // where the house is
@@ -379,6 +385,12 @@ std::string finish_of(const Lexicon& lexicon, const Document& document, const No
     const bool color = noun.attribute_classes[a] == WordClass::kColor;
     if (color && material.empty()) add_shade();
     if (color || noun.attribute_classes[a] == WordClass::kMaterial) add(noun.attributes[a]);
+  }
+  // "white stone walls": of stone as well
+  const bool colored = !material.empty() && std::ranges::find(noun.attribute_classes, WordClass::kMaterial) == noun.attribute_classes.end();
+  for (std::size_t i = noun.first; colored && i < noun.last && i < document.tokens.size(); ++i) {
+    const std::size_t length = lexicon.find(document.tokens, i, WordClass::kMaterial).length;
+    if (length > 0 && lexicon.find(document.tokens, i, WordClass::kColor).length == 0) add(text_of(document.tokens, i, length));
   }
   for (std::size_t i = noun.first; material.empty() && i < noun.last && i < document.tokens.size(); ++i) {
     const Match color = lexicon.find(document.tokens, i, WordClass::kColor), stuff = lexicon.find(document.tokens, i, WordClass::kMaterial);

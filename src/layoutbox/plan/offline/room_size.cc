@@ -29,6 +29,7 @@ class SizeReader {
       : lexicon_(lexicon), document_(document), tokens_(document.tokens), skip_(skip), commas_(commas) {}
 
   RoomSize run() {
+    for (std::size_t i = 3; i + 1 < tokens_.size(); ++i) settle_for(i);
     for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) l_shaped_ |= tokens_[i].text == "l" && tokens_[i + 1].text.starts_with("shape");
     for (std::size_t i = 0; i < tokens_.size() && !is_set(document_.stop); ++i) {
       if (tokens_[i].kind != Token::Kind::kNumber && lexicon_.find(tokens_, i, WordClass::kNumber).length == 0) continue;
@@ -48,6 +49,17 @@ class SizeReader {
   }
 
  private:
+  // "office 5 meters for 6": by.
+  void settle_for(std::size_t i) {
+    const std::size_t after = i + 2;
+    const bool ends =
+        after >= tokens_.size() || tokens_[after].kind == Token::Kind::kPunctuation || lexicon_.is(tokens_[after], WordClass::kUnit);
+    const bool room = lexicon_.is(tokens_[i - 3], WordClass::kRoom) || tokens_[i - 3].text == "room";
+    if (tokens_[i].text == "for" && ends && room && tokens_[i + 1].kind == Token::Kind::kNumber &&
+        lexicon_.is(tokens_[i - 1], WordClass::kUnit) && tokens_[i - 2].kind == Token::Kind::kNumber)
+      document_.tokens[i].text = "by";
+  }
+
   void take(std::size_t first, std::size_t last, const char* role) {
     for (std::size_t i = first; i < last && i < tokens_.size(); ++i) {
       skip_[i] = true;

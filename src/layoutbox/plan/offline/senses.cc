@@ -219,6 +219,9 @@ class SenseChooser {
     if (opening && says_any({R::kLeftOf, R::kRightOf, R::kBehind})) return own(R::kNextTo);
     if (opening && says(R::kIn) && !says(R::kOn) && mount_of(target_) == Mount::kFloor && direction_ == PhraseSense::Direction::kDirect)
       return own(R::kNextTo);
+    // "a basketball hoop on the door", "a wreath on the door": what hangs, beside it
+    const bool hangs = mount_of(target_) == Mount::kWall || mount_of(target_) == Mount::kHung;
+    if (reference_.kind == NounKind::kDoor && hangs && says(R::kOn)) return own(R::kNextTo);
     const bool turned = opening && says(R::kAgainstWall) && !says_any({R::kUnderWindow, R::kNear, R::kNextTo});  // "its back to the window"
     if (turned && direction_ == PhraseSense::Direction::kDirect) return own(R::kNear);
     const bool at_table = reference_.kind == NounKind::kObject && is_seat(catalog_, target_) && is_table(catalog_, reference_);
@@ -235,6 +238,8 @@ class SenseChooser {
     for (const PhraseSense& sense : senses_) {
       if (sense.direction != direction_ || !allowed(sense, reference_)) continue;
       if (sense.type == R::kTuckedUnder && !is_seat(catalog_, target_)) continue;
+      if (sense.type == R::kOn && says(R::kNextTo) && is_seat(catalog_, target_) && is_table(catalog_, reference_))
+        continue;                                                                                                       // "fixed to it"
       if (sense.type == R::kOnWall && says(R::kOnCeiling) && is_heavy(catalog_, target_)) return own(R::kAgainstWall);  // "from the wall"
       if (contradicts_kinds(sense)) continue;
       if (sense.type == R::kUnder && reference_.kind == NounKind::kWindow) return own(R::kUnderWindow);  // "a window and a bed under it"

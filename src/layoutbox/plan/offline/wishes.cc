@@ -225,7 +225,7 @@ bool only_says_what_for(const Lexicon& lexicon, const Document& document) {
   for (std::size_t i = 0; i < at; ++i) opens |= one_of(document.tokens[i].text, WordSet::kSomewhere);
   for (std::size_t i = at; i < document.tokens.size(); ++i) suggested |= lexicon.room_suggested(document.tokens, i).second > 0;
   // "a room for sleep. The bed is near the door", "a room for my grandfather: recliner, TV": what is said after it is asked for.
-  static constexpr std::string_view kAfter[] = {":", "with", "-", "(", "including"};
+  static constexpr std::string_view kAfter[] = {":", ",", "with", "-", "(", "including"};
   std::size_t end = at;
   while (end < document.tokens.size() && !document.tokens[end].ends_sentence && !is_any(end, kAfter)) ++end;
   return opens && suggested && std::all_of(document.items.begin(), document.items.end(), [&](const TextItem& item) {

@@ -30,6 +30,7 @@ class WordingReader : public TokenReader {
       read_each_side(i);
       read_behind_me(i);
       read_likewise_owned(i);
+      read_left_there(i);
     }
   }
 
@@ -140,6 +141,23 @@ class WordingReader : public TokenReader {
       tokens_[i + 1].text = tokens_[at].text;
       return;
     }
+  }
+
+  // "a book left on the sofa", "shoes left by the door": kept there, where no side is meant. Not "wardrobe left in the corner".
+  void read_left_there(std::size_t i) {
+    if (!is(i, {"left"}) || i == 0 || ends(i - 1) ||
+        is(i - 1, {"the", "its", "his", "her", "far", "on", "to", "one", "other", "is", "turn"}))
+      return;
+    if (!is(i + 1, {"on", "in", "under", "by", "beside", "behind", "near", "at", "inside", "there", "over", "across", "against", "lying",
+                    "standing"}))
+      return;
+    for (std::size_t at = i; at < tokens_.size() && !tokens_[at].ends_sentence; ++at) {
+      if (is(at, {"right"})) return;  // "bed left by the window, desk right"
+    }
+    const Meaning* thing = meaning_of(lexicon_.find(tokens_, i - 1, WordClass::kObject), WordClass::kObject);
+    constexpr Mm kLeftBehind = 700;  // what somebody puts down
+    if (thing != nullptr && thing->entry != nullptr && thing->entry->size.usual.width > kLeftBehind) return;
+    tokens_[i].text = is(i + 1, {"over", "across"}) ? "draped" : "kept";
   }
 
   // "the dentist's stool on the right and the assistant's on the left": a stool as well.

@@ -120,6 +120,7 @@ class Decoder {
   void attach_to(std::size_t s, int u, Kind kind, std::size_t level);
   void have_actions(std::size_t s, int u);
   bool tops_clause(const State& state, int u) const;
+  bool is_told_by_itself(const State& state, int member) const;
   bool is_placed_apart(const State& state, int member) const;
   int first_of_plural(const State& state, int last) const;
   void verb_actions(std::size_t s, int u);
@@ -157,6 +158,7 @@ class Decoder {
   bool speaks_of_no_thing(const State& state) const;
   bool lists_on_it(int u) const;
   bool carries_list(int predicate) const;
+  bool has_top_for(const NounPhrase& host, const NounPhrase& noun) const;
   bool stands_small(const NounPhrase& noun) const;
   bool may_come_with(const NounPhrase& host, const NounPhrase& noun) const;
   bool placed_by_unsaid(int u) const;

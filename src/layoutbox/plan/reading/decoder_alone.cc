@@ -234,7 +234,8 @@ void Decoder::alone_of_list(std::size_t s, int u, std::size_t level, const Candi
   const bool mutual = by_each_other(u);
   double shared = 0;
   for (int m = member; m >= 0;) {
-    const double of_each_other = read_as(state, m).former >= 0 && !several(state, m) ? 1.5 : -10;
+    const int former = read_as(state, m).former;
+    const double of_each_other = former >= 0 && !several(state, m) && !is_told_by_itself(state, former) ? 1.5 : -10;
     const double more = mutual ? of_each_other : share_score(state, m, u, meant.referent);
     if (more < -5) break;
     shared += shared == 0 ? more : 0.2;

@@ -259,6 +259,9 @@ double Decoder::clause_antecedents(const State& state, const NounPhrase* noun, c
   }
   if (!state.frontier.empty()) {
     lists(state.frontier.front(), order);
+    // "a desk and a chair in the corner and a plant next to them": of the list without the plant.
+    if (const int former = read_as(state, state.frontier.front()).former; former >= 0 && read_as(state, former).placed)
+      lists(former, order);
     // "Two lanterns on the wall, one on each side": of these.
     const bool of_group = noun != nullptr && noun->kind == NounKind::kMember && !noun->of && several(state, state.frontier.front());
     trial(state.frontier.front(), order - (of_group ? weight::kNamedAgain : 0), false);

@@ -200,7 +200,9 @@ double Decoder::content_list_score(const State& state, int member, int u) const 
   if (joiner == Joiner::kCommaAnd) score += length > 1 ? 0.6 : -1.2;
   if (shares_article(noun, former)) score += joiner == Joiner::kAnd ? weight::kShareArticle : 0;
   const bool inverse = read_as(state, predicate).inverse;
-  if (reading.placed && !inverse && mount_of(noun) == Mount::kFloor) score -= 2;
+  // "a sofa with a rug in front of it, TV and console on the right wall": not the sofa's
+  const bool apart = joiner == Joiner::kComma && is_seat(lexicon_.catalog(), host);
+  if (reading.placed && !inverse && (mount_of(noun) == Mount::kFloor || apart)) score -= 2;
   if (noun.determiner == Determiner::kDefinite) score -= 1.5;
   if (owner == kNobody || host.kind != NounKind::kObject) return score + (host.kind == NounKind::kWall ? 0.5 : 0);
   score += list_kind_score(state, member, u, length);
@@ -245,6 +247,11 @@ bool Decoder::stands_small(const NounPhrase& noun) const {
   constexpr Mm kWide = 800;
   return noun.entry != nullptr && mount_of(noun) == Mount::kFloor && !is_seat(lexicon_.catalog(), noun) && !noun.entry->thin &&
          std::max(noun.entry->size.usual.width, noun.entry->size.usual.depth) <= kWide && !is_table(lexicon_.catalog(), noun);
+}
+
+// It may lie there, or stand there where it is small: "a chest with a plant on it".
+bool Decoder::has_top_for(const NounPhrase& host, const NounPhrase& noun) const {
+  return sense_.carries(host, noun) || (stands_small(noun) && mount_of(host) == Mount::kFloor && !is_lamp(lexicon_.catalog(), host));
 }
 
 // "with the press, the rack and the scale on it": what such a list names, from the noun at u on, lies on its host, whatever it is.

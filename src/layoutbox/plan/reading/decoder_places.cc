@@ -3,6 +3,7 @@
 
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/offline/room_reader.h"
 #include "layoutbox/plan/reading/decoder.h"
 #include "layoutbox/plan/reading/weights.h"
 
@@ -167,8 +168,9 @@ void Decoder::attach_to(std::size_t s, int u, Kind kind, std::size_t level) {
     return;
   }
   if (place == NounKind::kPart && kind == kAttachInverse && says_around(u) && noun_of(state, member).wall_word.empty()) return;
-  const bool part_of_room = place == NounKind::kWall || opening || place == NounKind::kCorner || place == NounKind::kCeiling ||
-                            place == NounKind::kPart || place == NounKind::kCenter ||
+  const bool part_of_room = (place == NounKind::kWall && noun_of(state, member).name != kWallsAndFloor) || opening ||
+                            place == NounKind::kCorner || place == NounKind::kCeiling || place == NounKind::kPart ||
+                            place == NounKind::kCenter ||
                             (place == NounKind::kRoom && kind == kAttachInverse && says(unit(u).inverse, RelationType::kCenterOfRoom));
   // "a reading corner by the window with …": a part of the room that has things.
   const bool zone = kind == kAttach && (place == NounKind::kCorner || place == NounKind::kAbstract) &&
@@ -184,6 +186,13 @@ void Decoder::attach_to(std::size_t s, int u, Kind kind, std::size_t level) {
   if (!is_thing(state, member) && !(opening && level == 0) && !(inverse && part_of_room) && !zone) return;
   if (state.relative >= 0 && member != state.relative) return;
   double gain = state.relative >= 0 ? 0 : attach_score(state, u, static_cast<int>(level), inverse);
+  // "a stool next to the mirror with a candle on it": what carries nothing is not meant.
+  if (kind == kHaveThing && follows(u, UnitKind::kNoun) && lists_on_it(u + 1) && !has_top_for(noun_of(state, member), chunk(u + 1).noun))
+    gain += weight::kCannotCarry;
+  // … "next to the tub with a candle and a book on it": said of what is new here.
+  if (kind == kHaveThing && follows(u, UnitKind::kNoun) && lists_on_it(u + 1) && is_known(state, member) &&
+      read_as(state, member).role == NounRole::kReference)
+    gain += weight::kKnownHost;
   // "in a row along the wall": of all that the place before was said of.
   const UnitReading* before = state.place >= 0 ? &read_as(state, state.place) : nullptr;
   if (kind == kAttach && before != nullptr && !before->fronted && before->subject == member && before->first_subject != member &&

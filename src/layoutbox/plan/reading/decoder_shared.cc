@@ -62,8 +62,10 @@ bool Decoder::is_pair(const State& state, int member, int u) const {
   const NounPhrase &noun = noun_of(state, member), &before = noun_of(state, former);
   const bool bare = noun.determiner == Determiner::kNone && before.determiner == Determiner::kNone;
   const bool after_place = is(former - 1, UnitKind::kPlace) || (is(former - 1, UnitKind::kNoun) && is(former - 2, UnitKind::kPlace));
-  if (bare && after_place && unit(former).joiner == Joiner::kComma && !is(next, UnitKind::kNoun) && !is(next, UnitKind::kPlace))
-    return true;
+  // "… by the window, a desk and a chair in the corner and a plant next to them": what comes next has a place of its own as well
+  const bool goes_on = is(next, UnitKind::kNoun) && unit(next).joiner == Joiner::kAnd && has_place(next);
+  const bool ends = !is(next, UnitKind::kNoun) && !is(next, UnitKind::kPlace);
+  if (after_place && unit(former).joiner == Joiner::kComma && ((bare && ends) || goes_on)) return true;
   return unit(former).joiner == Joiner::kComma && is(next, UnitKind::kNoun) &&
          (unit(next).joiner == Joiner::kComma || unit(next).joiner == Joiner::kCommaAnd);
 }

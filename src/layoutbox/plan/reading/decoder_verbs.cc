@@ -113,6 +113,15 @@ bool Decoder::is_placed_apart(const State& state, int member) const {
   return false;
 }
 
+// It has a place or things of its own: "bench with hooks, washer and dryer stacked" are the washer and the dryer.
+bool Decoder::is_told_by_itself(const State& state, int member) const {
+  if (is_placed_apart(state, member)) return true;
+  for (int u = member + 1; u < static_cast<int>(state.units.size()); ++u) {
+    if (is(u, UnitKind::kHave) && read_as(state, u).subject == member) return true;
+  }
+  return false;
+}
+
 // The first of the list up to that thing that a plural verb speaks of.
 int Decoder::first_of_plural(const State& state, int last) const {
   int first = last;

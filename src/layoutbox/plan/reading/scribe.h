@@ -22,6 +22,7 @@ class Scribe {
   void grow_alone(const Link& link);
   void write_place_alone(int u);
   int whole_of(int mention);
+  std::vector<int> list_meant(int last) const;
   std::vector<int> references_alone(int u, const Link& link);
   void complete_pair(int u, Link& link);
   static void mean_side_of_room(Link& link);

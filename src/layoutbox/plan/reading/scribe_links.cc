@@ -16,7 +16,10 @@ int Scribe::add_link(int u, Link link) {
 
 void Scribe::hang(const std::vector<int>& targets, int u) {
   std::vector<int> things = targets;
-  std::erase_if(things, [&](int m) { return !is_thing(m); });
+  // "benches bolted on both sides": what is heavy and fastened stands where it is; only what is said to hang does.
+  const std::size_t said = chunk(u).hang || u == 0 ? chunk(u).first : chunk(u - 1).first;
+  const bool fastened = says_one_of(document_, said, WordSet::kFastened);
+  std::erase_if(things, [&](int m) { return !is_thing(m) || (fastened && is_heavy(lexicon_.catalog(), noun_of(m))); });
   if (things.empty()) return;
   Link link;
   link.kind = Link::Kind::kHang;
@@ -50,6 +53,19 @@ int Scribe::whole_of(int mention) {
   return static_cast<int>(document_.mentions.size()) - 1;
 }
 
+// The list up to that noun, or those of it that share its place: "a bed by the window, a desk and a chair in the corner, a plant by them".
+std::vector<int> Scribe::list_meant(int last) const {
+  int first = -1;
+  for (int p = last + 1; p < static_cast<int>(sentence_->size()); ++p) {
+    const UnitReading& place = reading(p);
+    if (is(p, UnitKind::kPlace) && place.subject == last && place.first_subject >= 0 && place.first_subject != last)
+      first = place.first_subject;
+  }
+  std::vector<int> all;
+  for (int m = last; m >= 0; m = m == first ? -1 : reading(m).former) all.insert(all.begin(), m);
+  return all;
+}
+
 // Whom a place without a reference is by.
 std::vector<int> Scribe::references_alone(int u, const Link& link) {
   const UnitReading& own = reading(u);
@@ -66,7 +82,7 @@ std::vector<int> Scribe::references_alone(int u, const Link& link) {
     return meant;
   }
   std::vector<int> all;
-  for (int m = own.implied; m >= 0; m = reading(m).former) all.insert(all.begin(), mention_[static_cast<std::size_t>(m)]);
+  for (const int m : list_meant(own.implied)) all.push_back(mention_[static_cast<std::size_t>(m)]);
   return says(link.senses, RelationType::kBetween) && all.size() != 2 ? std::vector<int>{combined(all)} : all;
 }
 

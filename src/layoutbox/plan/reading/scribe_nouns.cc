@@ -85,7 +85,7 @@ int Scribe::antecedent_of(int u) {
   }
   if (own.whole_list && own.meant >= 0) {
     std::vector<int> all;
-    for (int m = own.meant; m >= 0; m = reading(m).former) all.insert(all.begin(), mention_[static_cast<std::size_t>(m)]);
+    for (const int m : list_meant(own.meant)) all.push_back(mention_[static_cast<std::size_t>(m)]);
     const bool one = all.size() == 1 && is_thing(all.front()) && mention_at(all.front()).items.size() == 1;
     if (!one) return combined(all);
   }

@@ -52,7 +52,9 @@ double SenseScore::before_each_seat(const NounPhrase& target, const NounPhrase& 
 // What lies on what.
 double SenseScore::on_top(const NounPhrase& target, const NounPhrase& reference) const {
   double score = 0;
-  if (small_host(reference) || (is_chair(reference) && !is_textile(catalog_, target))) score += weight::kSmallHost;
+  constexpr double kFlatSeat = 0.3;  // a stool by the tub is as good as a table
+  const bool chair = is_chair(reference) && !is_textile(catalog_, target);
+  if (small_host(reference) || chair) score += weight::kSmallHost * (chair && one_of(reference.head, WordSet::kStools) ? kFlatSeat : 1);
   if (on_soft(reference, target)) score += weight::kSoftHost;
   if (one_of(reference.head, WordSet::kSmallVessels)) score += weight::kSmallHost;  // in it, not on it
   if (has_hooks(reference) && is_textile(catalog_, target)) score += weight::kHungOnHook;

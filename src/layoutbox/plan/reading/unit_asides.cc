@@ -87,8 +87,7 @@ bool UnitReader::passes_aside(std::size_t k) {
   mark(k, Use::kIgnored, "told by the way");
   for (std::size_t c = first; c < end; ++c) {
     mark(c, Use::kIgnored, "told by the way");
-    if (is(c, ChunkKind::kNoun) && chunk(c).noun.kind == NounKind::kRoom && !is_past(chunk(c).noun))
-      document_.rooms.push_back(chunk(c).noun);
+    if (is(c, ChunkKind::kNoun) && chunk(c).noun.kind == NounKind::kRoom && !is_past(chunk(c).noun)) name_room(chunk(c).noun);
   }
   passed_until_ = end;
   return true;

@@ -375,7 +375,7 @@ void UnitReader::read_noun(std::size_t k) {
   if (skipping_) {
     if (noun.kind == NounKind::kObject && noun.determiner == Determiner::kDefinite && noun.count == 0) told_ = k;
     mark(k, Use::kIgnored, "purpose");
-    if (noun.kind == NounKind::kRoom && !is_past(noun)) document_.rooms.push_back(noun);
+    if (noun.kind == NounKind::kRoom) name_room(noun);
     return;
   }
   take_told(k);
@@ -384,7 +384,7 @@ void UnitReader::read_noun(std::size_t k) {
   if (negated_ && k > 0 && is(previous(k), ChunkKind::kNoun) && noun.determiner == Determiner::kIndefinite) negated_ = false;
   if (negated_) {
     mark(k, Use::kUsed, "not wanted");
-    if (noun.kind == NounKind::kObject || noun.kind == NounKind::kWindow) document_.excluded.push_back(noun);
+    if (noun.kind == NounKind::kObject || noun.kind == NounKind::kWindow || denies_doors(k)) document_.excluded.push_back(noun);
     return;
   }
   if (noun.kind == NounKind::kOutsideRoom) {
@@ -395,7 +395,7 @@ void UnitReader::read_noun(std::size_t k) {
          "prompt:" + std::to_string(document_.tokens[chunk(k).first].begin) + "-" +
              std::to_string(document_.tokens[chunk(k).last - 1].end)});
   }
-  if (noun.kind == NounKind::kRoom && (!after_place() || noun.room != nullptr) && !is_past(noun)) document_.rooms.push_back(noun);
+  if (noun.kind == NounKind::kRoom && (!after_place() || noun.room != nullptr)) name_room(noun);
   if (is_part(k)) {
     mark(k, Use::kUsed, "part");
     leave_out_part(k, is(next(k), ChunkKind::kAnd));  // "with a soft mattress and two pillows": the having goes on

@@ -126,6 +126,13 @@ class UnitReader {
   bool is_topic_before_colon(std::size_t k) const;
   bool is_placed_topic(std::size_t k) const;
   bool goes_on_to_or(std::size_t k) const;
+  bool lists_placed(std::size_t n) const;
+  bool denies_doors(std::size_t k) const;
+  bool turns_to_furniture(std::size_t k, std::size_t n) const;
+  bool is_living(std::size_t k) const;
+  bool passes_company(std::size_t k);
+  void name_room(const NounPhrase& noun);
+  bool is_where_somebody_is(const NounPhrase& noun) const;
   void settle_noun(std::size_t k);
   void settle_place_words(std::size_t k);
   bool repeats_place(std::size_t k);

@@ -129,4 +129,29 @@ bool UnitReader::brings_each(std::size_t k) {
   return true;
 }
 
+// "No doors", "a cell without a door"; not "a cabinet without doors".
+bool UnitReader::denies_doors(std::size_t k) const {
+  const std::size_t host = last_noun();
+  return chunk(k).noun.kind == NounKind::kDoor && (host >= document_.chunks.size() || chunk(host).noun.kind == NounKind::kRoom);
+}
+
+// The list from n on has a place of its own in the room: "dog bed beside the radiator", "bed, desk in the corner".
+bool UnitReader::lists_placed(std::size_t n) const {
+  while (is(n, ChunkKind::kNoun) && chunk(n).noun.kind == NounKind::kObject &&
+         (is(next(n), ChunkKind::kComma) || is(next(n), ChunkKind::kAnd)) && is(next(next(n)), ChunkKind::kNoun))
+    n = next(next(n));
+  if (!is(n, ChunkKind::kNoun) || chunk(n).noun.kind != NounKind::kObject || !is(next(n), ChunkKind::kRelation)) return false;
+  const std::size_t by = next(next(n));  // "no toys, shoes in the room" are not wanted there
+  return !is(by, ChunkKind::kNoun) || chunk(by).noun.kind != NounKind::kRoom;
+}
+
+// "no windows, bed, lamp", "nothing with sharp corners, bunk bed, …": furniture, after what is none, is there.
+bool UnitReader::turns_to_furniture(std::size_t k, std::size_t n) const {
+  const std::size_t p = previous(k);
+  if (!is(p, ChunkKind::kNoun) || !is(n, ChunkKind::kNoun)) return false;
+  const NounPhrase &denied = chunk(p).noun, &thing = chunk(n).noun;
+  const bool none = is_opening(denied) || denied.kind == NounKind::kPart || denied.kind == NounKind::kAbstract;
+  return none && thing.kind == NounKind::kObject && thing.exact && !thing.plural && mount_of(thing) == Mount::kFloor;
+}
+
 }  // namespace layoutbox::offline

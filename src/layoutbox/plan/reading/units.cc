@@ -40,6 +40,7 @@ std::vector<Sentence> UnitReader::run() {
     if (k >= passed_until_ && k != passed_over_) read(k);
   }
   end_sentence();
+  if (document_.rooms.empty()) document_.rooms = document_.rooms_elsewhere;
   return std::move(sentences_);
 }
 
@@ -224,9 +225,8 @@ void UnitReader::read_break(std::size_t k) {
   if (skipping_ && !is(n, ChunkKind::kAnd) && purpose_ends(after_comma && names_thing(n) ? previous(k) : k, n)) skipping_ = false;
   denies_list_ |= negated_ && is(previous(k), ChunkKind::kWithout) && document_.tokens[chunk(k).first].text == ":";
   if (negated_ && !denies_list_) {
-    // "the wall without a window, bench at the foot of it": what has a place of its own is there
-    const bool placed = comma && is(previous(k), ChunkKind::kNoun) && chunk(previous(k)).noun.determiner == Determiner::kIndefinite &&
-                        is(next(n), ChunkKind::kRelation);
+    // "no sharp edges, toy chest below the window": what has a place of its own is there, and so is the list that it ends
+    const bool placed = comma && (lists_placed(n) || turns_to_furniture(k, n));
     const bool more = is(n, ChunkKind::kNoun) && chunk(n).noun.determiner == Determiner::kNone && chunk(n).noun.count == 0 && !placed;
     // "facing the door, not the wall, chair, bookcase": what was told apart was a place
     const bool told_apart = comma && is(previous(k), ChunkKind::kNoun) && is_part_of_room(chunk(previous(k)).noun) &&
@@ -415,6 +415,7 @@ void UnitReader::add_shorter_senses(std::size_t k) {
 }
 
 void UnitReader::read_have(std::size_t k) {
+  if (passes_company(k)) return;
   const std::string& word = document_.tokens[chunk(k).first].text;
   const std::size_t n = next(k);
   if (skipping_) {
