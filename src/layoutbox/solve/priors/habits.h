@@ -148,6 +148,7 @@ class Habits {
   bool leaves_screen_to_others(int item, int screen) const;
   bool comes_after_screen(int item, int screen) const;
   void stay_before_screen(int item, int screen);
+  void have_screen_before(int item, int screen);
   void watch_from_near(int item, int screen);
   bool only_sees_screen(int item) const;
   void watch_past_tables(int item, int screen);

@@ -131,7 +131,7 @@ bool Habits::look_at(int item, bool leads, const std::vector<int>& crowd) {
           after ? std::vector<int>{other} : std::vector<int>{});
     if (model_.items[seen_one].is(Trait::kScreen)) stay_before_screen(item, other);
     if (self.is(Trait::kCenterPiece) && !self.is(Trait::kBed)) {
-      if (model_.items[seen_one].is(Trait::kScreen)) watch_from_near(item, other);
+      if (model_.items[seen_one].is(Trait::kScreen)) watch_from_near(item, other), have_screen_before(item, other);
       if (!model_.items[other].is(Trait::kCoffeeTable)) watch_past_tables(item, other);
     }
     return true;

@@ -113,6 +113,17 @@ void Habits::stay_before_screen(int item, int screen) {
   if (!f.cases.empty()) habit("before the screen", item, kSeesEdge, std::move(f));
 }
 
+// A sofa has its screen before it, not behind its back, whatever a bed sees of that.
+void Habits::have_screen_before(int item, int screen) {
+  constexpr Mm kLeast = 800;
+  Formula f;
+  for_each_turn(model_.items[item], [&](int turn, std::uint64_t states) {
+    if (turn % 90 == 0)
+      f.add().when(item, states).require(gap_towards(screen, item, side_direction(model_.items[item], Side::kFront, turn)) - Linear(kLeast));
+  });
+  if (!f.cases.empty()) habit("has the screen before it", item, kFaces, std::move(f));
+}
+
 // A screen is watched from no farther than one sees it well.
 void Habits::watch_from_near(int item, int screen) {
   constexpr int kTooFar = 150;  // points a metre
