@@ -158,6 +158,8 @@ class Decoder {
   bool speaks_of_no_thing(const State& state) const;
   bool lists_on_it(int u) const;
   bool carries_list(int predicate) const;
+  double host_of_top_score(const State& state, int u, int member) const;
+  bool goes_on_apart(const NounPhrase& host, const NounPhrase& noun, Joiner joiner) const;
   bool has_top_for(const NounPhrase& host, const NounPhrase& noun) const;
   bool stands_small(const NounPhrase& noun) const;
   bool may_come_with(const NounPhrase& host, const NounPhrase& noun) const;

@@ -173,6 +173,11 @@ double Decoder::closing_score(const State& state, int u, Referent owner, const N
   return !of_each && !seat && never_closes(state, u) ? weight::kNeverCloses : 0;
 }
 
+// "a sofa with a rug in front of it, TV and console on the right wall": not the sofa's
+bool Decoder::goes_on_apart(const NounPhrase& host, const NounPhrase& noun, Joiner joiner) const {
+  return mount_of(noun) == Mount::kFloor || (joiner == Joiner::kComma && is_seat(lexicon_.catalog(), host));
+}
+
 // "a desk with a lamp and a clock": the clock is the desk's as well.
 double Decoder::content_list_score(const State& state, int member, int u) const {
   const UnitReading& reading = read_as(state, member);
@@ -200,9 +205,7 @@ double Decoder::content_list_score(const State& state, int member, int u) const 
   if (joiner == Joiner::kCommaAnd) score += length > 1 ? 0.6 : -1.2;
   if (shares_article(noun, former)) score += joiner == Joiner::kAnd ? weight::kShareArticle : 0;
   const bool inverse = read_as(state, predicate).inverse;
-  // "a sofa with a rug in front of it, TV and console on the right wall": not the sofa's
-  const bool apart = joiner == Joiner::kComma && is_seat(lexicon_.catalog(), host);
-  if (reading.placed && !inverse && (mount_of(noun) == Mount::kFloor || apart)) score -= 2;
+  if (reading.placed && !inverse && goes_on_apart(host, noun, joiner)) score -= 2;
   if (noun.determiner == Determiner::kDefinite) score -= 1.5;
   if (owner == kNobody || host.kind != NounKind::kObject) return score + (host.kind == NounKind::kWall ? 0.5 : 0);
   score += list_kind_score(state, member, u, length);

@@ -149,6 +149,14 @@ Referent Decoder::whole_of(const State& state, int u, Kind kind, int member) con
   return place == NounKind::kAbstract && kind == kHaveThing ? host_of(state, member) : kNobody;
 }
 
+// "a stool next to the mirror with a candle on it": what carries nothing is not meant; "… next to the tub with a candle and a book on it":
+// said of what is new here.
+double Decoder::host_of_top_score(const State& state, int u, int member) const {
+  if (!follows(u, UnitKind::kNoun) || !lists_on_it(u + 1)) return 0;
+  const bool known = is_known(state, member) && read_as(state, member).role == NounRole::kReference;
+  return (has_top_for(noun_of(state, member), chunk(u + 1).noun) ? 0 : weight::kCannotCarry) + (known ? weight::kKnownHost : 0);
+}
+
 void Decoder::attach_to(std::size_t s, int u, Kind kind, std::size_t level) {
   const State& state = states_[s];
   const bool inverse = kind == kAttachInverse || kind == kHaveThing;
@@ -186,13 +194,7 @@ void Decoder::attach_to(std::size_t s, int u, Kind kind, std::size_t level) {
   if (!is_thing(state, member) && !(opening && level == 0) && !(inverse && part_of_room) && !zone) return;
   if (state.relative >= 0 && member != state.relative) return;
   double gain = state.relative >= 0 ? 0 : attach_score(state, u, static_cast<int>(level), inverse);
-  // "a stool next to the mirror with a candle on it": what carries nothing is not meant.
-  if (kind == kHaveThing && follows(u, UnitKind::kNoun) && lists_on_it(u + 1) && !has_top_for(noun_of(state, member), chunk(u + 1).noun))
-    gain += weight::kCannotCarry;
-  // … "next to the tub with a candle and a book on it": said of what is new here.
-  if (kind == kHaveThing && follows(u, UnitKind::kNoun) && lists_on_it(u + 1) && is_known(state, member) &&
-      read_as(state, member).role == NounRole::kReference)
-    gain += weight::kKnownHost;
+  if (kind == kHaveThing) gain += host_of_top_score(state, u, member);
   // "in a row along the wall": of all that the place before was said of.
   const UnitReading* before = state.place >= 0 ? &read_as(state, state.place) : nullptr;
   if (kind == kAttach && before != nullptr && !before->fronted && before->subject == member && before->first_subject != member &&
