@@ -175,8 +175,9 @@ bool RelationBuilder::is_tall_end(const Link& link, int target) const {
 // In a ring where nothing has sides; spread over the sides of a table.
 bool RelationBuilder::in_ring(const std::vector<int>& targets, const std::vector<int>& references) const {
   const NounPhrase& host = noun_of_item(references.front());
-  const bool round = std::any_of(host.attributes.begin(), host.attributes.end(),
-                                 [](const std::string& a) { return a == "oval" || one_of(a, WordSet::kAllRound); });
+  constexpr std::size_t kOval = 8;  // more of them at one that is no circle stand along its sides
+  const auto is_round = [&](const std::string& a) { return one_of(a, WordSet::kAllRound) || (a == "oval" && targets.size() <= kOval); };
+  const bool round = std::any_of(host.attributes.begin(), host.attributes.end(), is_round);
   return (round || !is_table(catalog_, host)) && targets.size() >= 3 * references.size();
 }
 

@@ -119,7 +119,9 @@ void Habits::have_screen_before(int item, int screen) {
   Formula f;
   for_each_turn(model_.items[item], [&](int turn, std::uint64_t states) {
     if (turn % 90 == 0)
-      f.add().when(item, states).require(gap_towards(screen, item, side_direction(model_.items[item], Side::kFront, turn)) - Linear(kLeast));
+      f.add()
+          .when(item, states)
+          .require(gap_towards(screen, item, side_direction(model_.items[item], Side::kFront, turn)) - Linear(kLeast));
   });
   if (!f.cases.empty()) habit("has the screen before it", item, kFaces, std::move(f));
 }

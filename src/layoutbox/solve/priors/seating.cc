@@ -329,9 +329,11 @@ void add_seating(Compilation& c, int r, Mm most, bool circle) {
   std::vector<Way> ways;
   for_each_turn(table, [&](int turn, std::uint64_t states) {
     const Size size = size_by_sides(table, turn);
-    if (turn % 90 == 0) ways.push_back({turn, states, seatings(n, size.width, size.depth, seat_width, circle, circle ? kOfCircle : kOfSides)});
+    if (turn % 90 == 0)
+      ways.push_back({turn, states, seatings(n, size.width, size.depth, seat_width, circle, circle ? kOfCircle : kOfSides)});
   });
-  const std::size_t most_ways = ways.empty() ? 0 : std::ranges::max(ways, {}, [](const Way& way) { return way.seatings.size(); }).seatings.size();
+  const std::size_t most_ways =
+      ways.empty() ? 0 : std::ranges::max(ways, {}, [](const Way& way) { return way.seatings.size(); }).seatings.size();
   for (std::size_t k = 0; k < most_ways; ++k) {  // the best of each turn first: so the search comes upon them
     for (const auto& [turn, states, all] : ways) {
       if (k >= all.size()) continue;
