@@ -3,22 +3,10 @@
 
 #include "layoutbox/furnish/furnish.h"
 #include "layoutbox/furnish/mesh_checks.h"
+#include "layoutbox/furnish/test_pieces.h"
 
 namespace layoutbox {
 namespace {
-
-const Catalog& catalog() { return Catalog::builtin(); }
-
-PlacedObject object_of(const CatalogEntry& entry, const Size& size) {
-  PlacedObject object;
-  object.id = entry.id + "_1";
-  object.category = entry.id;
-  object.name = entry.name;
-  object.size = size;
-  object.mount = entry.mount;
-  object.spaces = spaces_at(entry, size);
-  return object;
-}
 
 Node furnished(const PlacedObject& object, Detail detail, bool contents = true) {
   FurnishOptions options;

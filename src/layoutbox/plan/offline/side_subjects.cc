@@ -16,7 +16,7 @@ class SideTurner {
 
   void run() {
     for (std::size_t i = 0; i + 4 < tokens_.size(); ++i) {
-      if (i > 0 && !tokens_[i - 1].ends_sentence && !parts_clauses(i - 1)) continue;
+      if (i > 0 && !tokens_[i - 1].ends_sentence && !parts_clauses(i - 1) && tokens_[i - 1].text != "with") continue;
       if (!turn_of(i)) turn_possessive(i);
     }
   }
@@ -37,12 +37,16 @@ class SideTurner {
     return which && one_of(tokens_[at + 1].text, {"side", "end"}) ? 2 : 0;
   }
 
+  bool leads_to_wall(std::size_t at) const {
+    return at < tokens_.size() && one_of(tokens_[at].text, {"against", "to", "along", "at", "flush", "up", "pushed"});
+  }
+
   // Where the sentence's "is" or "goes" stands that a place follows; 0: nowhere near.
   std::size_t verb_after(std::size_t at) const {
     for (std::size_t i = at; i < std::min(at + kLongest, tokens_.size() - 1); ++i) {
       if (tokens_[i].ends_sentence || tokens_[i].text == ",") return 0;
       if (!lexicon_.is(tokens_[i], WordClass::kBe) && !lexicon_.is(tokens_[i], WordClass::kPlaceVerb)) continue;
-      return i > at && one_of(tokens_[i + 1].text, {"against", "to", "along", "at", "flush", "up", "pushed"}) ? i : 0;
+      return i > at && leads_to_wall(i + 1) ? i : 0;
     }
     return 0;
   }
@@ -59,13 +63,14 @@ class SideTurner {
     return true;
   }
 
-  // "The bed's long side is", "its head is": the bed is long side, it is head.
+  // "The bed's long side is", "its head is": the bed is long side, it is head. "With the bed's long side against": the bed long side.
   void turn_possessive(std::size_t begin) {
     const bool its = tokens_[begin].text == "its";
     std::size_t owned = begin;
     while (!its && owned < begin + kLongest && owned < tokens_.size() && tokens_[owned].text != "'s") ++owned;
     if (owned >= tokens_.size() || (!its && tokens_[owned].text != "'s")) return;
     const std::size_t length = side_at(owned + 1), side = owned + 1;
+    if (length > 0 && !its && leads_to_wall(side + length)) skip_[owned] = true;
     const std::size_t verb = length == 0 ? 0 : verb_after(side + length - 1);
     if (verb != side + length) return;
     if (its)

@@ -321,29 +321,16 @@ void add_seating(Compilation& c, int r, Mm most, bool circle) {
   const bool round = (n >= 5 || n == 3) && (is_circle(table) || (circle && is_compact(table)));
   if (round) add_circle(f, c, r, most);
   const int base = round && !f.cases.empty() ? 200 : 0;
-  struct Way {
-    int turn = 0;
-    std::uint64_t states = 0;
-    std::vector<std::pair<Seats, int>> seatings;
-  };
-  std::vector<Way> ways;
   for_each_turn(table, [&](int turn, std::uint64_t states) {
+    if (turn % 90 != 0) return;
     const Size size = size_by_sides(table, turn);
-    if (turn % 90 == 0)
-      ways.push_back({turn, states, seatings(n, size.width, size.depth, seat_width, circle, circle ? kOfCircle : kOfSides)});
-  });
-  const std::size_t most_ways =
-      ways.empty() ? 0 : std::ranges::max(ways, {}, [](const Way& way) { return way.seatings.size(); }).seatings.size();
-  for (std::size_t k = 0; k < most_ways; ++k) {  // the best of each turn first: so the search comes upon them
-    for (const auto& [turn, states, all] : ways) {
-      if (k >= all.size()) continue;
-      const auto& [seats, price] = all[k];
+    for (const auto& [seats, price] : seatings(n, size.width, size.depth, seat_width, circle, circle ? kOfCircle : kOfSides)) {
       if (!circle) add_case(f, c, r, turn, states, seats, price + base, most);
       for (std::size_t s = 0; circle && s < table.states.size(); ++s) {
         if ((states >> s & 1) != 0) add_even_seats(f, c, r, s, seats, price + base, most);
       }
     }
-  }
+  });
   if (!f.cases.empty() || circle) return;
   // More than the sides hold: one side after the other, as near as it gets, looking at it.
   c.out.formulas.pop_back();
