@@ -238,8 +238,7 @@ class SenseChooser {
     for (const PhraseSense& sense : senses_) {
       if (sense.direction != direction_ || !allowed(sense, reference_)) continue;
       if (sense.type == R::kTuckedUnder && !is_seat(catalog_, target_)) continue;
-      if (sense.type == R::kOn && says(R::kNextTo) && is_seat(catalog_, target_) && is_table(catalog_, reference_))
-        continue;                                                                                                       // "fixed to it"
+      if (sense.type == R::kOn && says(R::kNextTo) && stands_beside(sense)) continue;
       if (sense.type == R::kOnWall && says(R::kOnCeiling) && is_heavy(catalog_, target_)) return own(R::kAgainstWall);  // "from the wall"
       if (contradicts_kinds(sense)) continue;
       if (sense.type == R::kUnder && reference_.kind == NounKind::kWindow) return own(R::kUnderWindow);  // "a window and a bed under it"
@@ -248,6 +247,13 @@ class SenseChooser {
       return sense;
     }
     return std::nullopt;
+  }
+
+  // "a stool fixed to the table", "a high chair at the corner of the table", "a bin at the edge of the desk": not on it.
+  bool stands_beside(const PhraseSense& on) const {
+    if (is_seat(catalog_, target_) && is_table(catalog_, reference_)) return true;
+    const bool thin = reference_.entry != nullptr && reference_.entry->thin;
+    return !on.part.empty() && reference_.kind == NounKind::kObject && !thin && target_.exact && mount_of(target_) == Mount::kFloor;
   }
 
   // "a chest at one end of the sofa": beside it; only what one lies on has a head and a foot.

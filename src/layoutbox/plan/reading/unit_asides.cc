@@ -80,6 +80,8 @@ bool UnitReader::passes_aside(std::size_t k) {
   if (!why && !is_person(k) && !is_person(first)) return false;
   // "So make me a bedroom with …", "so give the desk a lamp": no reason.
   if (document_.tokens[chunk(k).last - 1].text == "so" && is(first, ChunkKind::kCommand)) return false;
+  // "We keep kosher, so two sinks, two ovens": what is there is counted, and no reason.
+  if (is(first, ChunkKind::kNoun) && names_thing(first) && chunk(first).noun.count > 0 && next(first) == end) return false;
   if (says_what_is_there(first, end) || (why && says_where_known_is(first, end))) return false;
   // "nobody touches the harp, which stands by the window"
   if (is(next(end), ChunkKind::kRelative) && is(previous(end), ChunkKind::kNoun) && chunk(previous(end)).noun.kind == NounKind::kObject)
