@@ -111,6 +111,25 @@ void settle_namesakes(Document& document) {
   }
 }
 
+void settle_glosses(Document& document) {
+  std::vector<Chunk>& chunks = document.chunks;
+  const auto says = [&](std::size_t k, std::string_view text) {
+    return chunks[k].kind == ChunkKind::kComma && document.tokens[chunks[k].first].text == text;
+  };
+  const auto is_object = [&](std::size_t k) { return chunks[k].kind == ChunkKind::kNoun && chunks[k].noun.kind == NounKind::kObject; };
+  for (std::size_t k = 0; k + 3 < chunks.size(); ++k) {
+    if (!is_object(k) || !says(k + 1, "(") || !is_object(k + 2) || !says(k + 3, ")")) continue;
+    NounPhrase &noun = chunks[k].noun, &gloss = chunks[k + 2].noun;
+    if (gloss.determiner != Determiner::kNone || gloss.count > 1 || gloss.is_plural() != noun.is_plural()) continue;
+    const bool special = noun.exact && gloss.exact && gloss.entry->kind_of == noun.entry->id;
+    if (noun.exact && gloss.exact && noun.entry != gloss.entry && noun.entry->kind_of != gloss.entry->id && !special) continue;
+    if (gloss.exact && (special || !noun.exact)) {
+      noun.entry = gloss.entry, noun.category = gloss.category, noun.head = gloss.head, noun.exact = true;
+    }
+    for (std::size_t i = k + 1; i < k + 4; ++i) chunks[i].kind = ChunkKind::kIgnored;
+  }
+}
+
 void settle_worktops(Document& document) {
   const auto is_units = [](const Chunk& chunk) { return is_kind(chunk, "base_cabinet"); };
   if (std::ranges::none_of(document.chunks, is_units)) return;

@@ -12,6 +12,9 @@ void settle_worktops(Document& document);
 // special one of its kind.
 void settle_namesakes(Document& document);
 
+// "a swing (jhoola)", "a trinchador (sideboard)": another word for the same thing; of the two the one that is known says what it is.
+void settle_glosses(Document& document);
+
 // Where parts of such a thing are named (`built_of` of words_kinds.json), it is the plain thing that carries them, and has them all.
 void settle_built_ins(const Lexicon& lexicon, Document& document);
 

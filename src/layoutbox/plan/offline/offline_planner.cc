@@ -115,6 +115,7 @@ class OfflinePlanner final : public Planner {
     settle_room_senses(lexicon_, document, room_size_at);
     settle_company(lexicon_, document);
     settle_worktops(document);
+    settle_glosses(document);
     settle_namesakes(document);
     settle_floor_carpets(document);
     settle_part_looks(document);

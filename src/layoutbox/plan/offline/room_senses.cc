@@ -93,6 +93,22 @@ const RoomKind* room_within(const Lexicon& lexicon, const std::vector<Token>& to
   return nullptr;
 }
 
+// "Cell of a monk who copies books: …", "Booth of a ticket seller: …": whose it is, and then what is in it.
+bool is_somebodys(const Document& document, std::size_t topic) {
+  const NounPhrase& noun = document.chunks[topic].noun;
+  bool owned = false;
+  for (std::size_t i = noun.first + 1; i < noun.last; ++i) owned |= document.tokens[i].text == "of";
+  const std::string& who = document.tokens[noun.last - 1].text;
+  if (!owned || (word_form(who) != WordForm::kPerson && noun_form(who) != WordForm::kPerson)) return false;
+  constexpr double kHoldsPeople = 1e6;  // mm² of floor: a bust of somebody is no room
+  if (noun.exact && noun.entry != nullptr && double(noun.entry->size.usual.width) * noun.entry->size.usual.depth < kHoldsPeople)
+    return false;
+  for (std::size_t k = topic + 1; k < document.chunks.size() && document.chunks[k].kind != ChunkKind::kStop; ++k) {
+    if (document.chunks[k].kind == ChunkKind::kComma) return document.tokens[document.chunks[k].first].text == ":";
+  }
+  return false;
+}
+
 // "A cell for prayer. …", "Storage unit, 10 x 10 ft. …": where no room is named, what a text opens with is the room, if it is nothing to
 // put into one or is given a room's size (`room_size_at`: the place of that in the prompt).
 void settle_topic(const Lexicon& lexicon, Document& document, const std::vector<std::size_t>& room_size_at) {
@@ -117,7 +133,7 @@ void settle_topic(const Lexicon& lexicon, Document& document, const std::vector<
   const bool unknown =
       !noun.exact && kin_of(lexicon.catalog(), noun.head) == nullptr && next->kind == ChunkKind::kStop && next != &document.chunks.back();
   const bool ends = next->kind == ChunkKind::kStop || next->kind == ChunkKind::kComma;
-  if (!ends || (!unknown && !sized)) return;
+  if (!(ends && (unknown || sized)) && !is_somebodys(document, first)) return;
   noun.kind = NounKind::kRoom;
   noun.entry = nullptr;
   noun.head = noun.name;
