@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "layoutbox/solve/objective/cost.h"
+#include "layoutbox/solve/objective/terms.h"
 #include "layoutbox/solve/search/quick.h"
 #include "layoutbox/solve/search/search.h"
 #include "layoutbox/solve/solving.h"
@@ -20,11 +20,7 @@ constexpr std::int64_t kShareOfStarts = 8;
 
 }  // namespace
 
-std::int64_t Solver::cost() const {
-  std::int64_t sum = 0;
-  for (const auto& [term, points] : cost_terms(model_, placements_)) sum += points;
-  return sum;
-}
+std::int64_t Solver::cost() const { return total_cost(model_, placements_); }
 
 // Another layout to improve; to look for it takes a part of the effort, and leaves the rest for making it better. The first is built at
 // the cheapest places, the next otherwise, now and then without a look at costs.

@@ -3,7 +3,7 @@
 #include "layoutbox/solve/conflict/relax.h"
 #include "layoutbox/solve/model/to_layout.h"
 #include "layoutbox/solve/objective/access.h"
-#include "layoutbox/solve/objective/cost.h"
+#include "layoutbox/solve/objective/terms.h"
 
 namespace layoutbox::placement {
 
@@ -82,9 +82,8 @@ Layout Solver::finish() {
   layout.status = fallback_ ? LayoutStatus::kFallback : layout.relaxed.empty() ? LayoutStatus::kSolved : LayoutStatus::kRelaxed;
   if (layout.status == LayoutStatus::kSolved) layout.conflicts.clear();  // what seemed impossible was only not found
   double total = 0;
-  for (const auto& [name, cost] : cost_terms(model_, placements_)) {
-    if (name == "stay") continue;
-    layout.score_terms[name] = 1.0 / (1.0 + static_cast<double>(cost) / 1e6);
+  for (const auto& [name, cost] : scored_costs(model_, placements_)) {
+    layout.score_terms[std::string(name)] = 1.0 / (1.0 + static_cast<double>(cost) / 1e6);
     total += static_cast<double>(cost) / 1e6;
   }
   layout.score = 1.0 / (1.0 + total);

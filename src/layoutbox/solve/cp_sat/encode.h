@@ -63,6 +63,8 @@ class Encoding {
   void add_case(const Case& one, std::span<const CpLiteral> when);
   void add_pair(int a, int b);
   void add_outside(int item);
+  void add_size_costs(std::vector<CpTerm>& total);
+  void add_wish_costs(std::int64_t most, std::vector<CpTerm>& total);
   void add_case_cost(const Constraint& constraint, const Case& one, std::int32_t cost, std::int64_t most, CpLiteral when);
   void add_access_cost(int item, std::int64_t most, std::vector<CpTerm>& total);
   std::int32_t blocked_share(int item, const std::vector<GridBox>& strip);

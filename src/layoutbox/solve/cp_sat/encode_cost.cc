@@ -5,6 +5,7 @@
 #include "layoutbox/solve/cp_sat/encode.h"
 #include "layoutbox/solve/objective/access.h"
 #include "layoutbox/solve/objective/cost.h"
+#include "layoutbox/solve/objective/terms.h"
 
 namespace layoutbox::placement {
 namespace {
@@ -22,17 +23,41 @@ bool speaks_only_of_used(const Formula& formula, const std::vector<char>& used) 
 
 void Encoding::bound_cost(std::int64_t most, bool with_access) {
   std::vector<CpTerm> total;
+  for (const CostTerm& term : cost_terms()) {
+    switch (term.kind) {
+      case TermKind::kSizes: add_size_costs(total); break;
+      case TermKind::kWishes: add_wish_costs(most, total); break;
+      case TermKind::kAccess:
+        for (std::size_t i = 0; i < items_.size() && with_access; ++i) {
+          if (items_[i].used) add_access_cost(static_cast<int>(i), most, total);
+        }
+        break;
+      case TermKind::kWays: break;  // how floor hangs together is nothing linear: they cost what they may
+    }
+  }
+  cp_.add_linear(total, -kNoBound, most);
+}
+
+void Encoding::add_size_costs(std::vector<CpTerm>& total) {
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    if (!items_[i].used) continue;
+    for (std::size_t s = 0; s < items_[i].states.size(); ++s) {
+      const std::int64_t cost = size_cost(model_.items[i].states[s]);
+      if (cost > 0) total.push_back({items_[i].states[s], cost});
+    }
+  }
+}
+
+void Encoding::add_wish_costs(std::int64_t most, std::vector<CpTerm>& total) {
   std::vector<char> used;
   for (const ItemVariables& v : items_) used.push_back(v.used);
   for (const Constraint& constraint : model_.constraints) {
+    const auto free = [&](const Case& c) { return costs_nothing(constraint, c); };
     const bool placed =
         std::all_of(constraint.formulas.begin(), constraint.formulas.end(), [&](const Formula& f) { return speaks_only_of_used(f, used); });
     for (const Formula& formula : constraint.formulas) {
       if (!placed || formula.cases.empty()) continue;
-      if (std::any_of(formula.cases.begin(), formula.cases.end(), [&](const Case& c) { return costs_nothing(constraint, c); }) &&
-          constraint.firmness == Firmness::kSoft)
-        continue;
-      const auto free = [&](const Case& c) { return costs_nothing(constraint, c); };
+      if (constraint.firmness == Firmness::kSoft && std::any_of(formula.cases.begin(), formula.cases.end(), free)) continue;
       if (std::all_of(formula.cases.begin(), formula.cases.end(), free)) continue;
       total.push_back({cp_.add_variable(0, most), 1});
       std::vector<CpLiteral> chosen;
@@ -43,15 +68,6 @@ void Encoding::bound_cost(std::int64_t most, bool with_access) {
       cp_.add_or(chosen);
     }
   }
-  for (std::size_t i = 0; i < items_.size(); ++i) {
-    if (!items_[i].used) continue;
-    for (std::size_t s = 0; s < items_[i].states.size(); ++s) {
-      const std::int64_t points = kPoint * kCostWeights.size_step * model_.items[i].states[s].size_step;
-      if (points > 0) total.push_back({items_[i].states[s], points});
-    }
-    if (with_access) add_access_cost(static_cast<int>(i), most, total);
-  }
-  cp_.add_linear(total, -kNoBound, most);
 }
 
 void Encoding::add_case_cost(const Constraint& constraint, const Case& one, std::int32_t cost, std::int64_t most, CpLiteral when) {

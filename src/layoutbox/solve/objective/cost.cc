@@ -1,9 +1,34 @@
 #include "layoutbox/solve/objective/cost.h"
 
-#include "layoutbox/solve/objective/access.h"
-
 namespace layoutbox::placement {
-namespace {}  // namespace
+namespace {
+
+// The least and the greatest value of a form over a region.
+std::pair<std::int64_t, std::int64_t> range_of(const Partial& form, const Region& region) {
+  std::int64_t least = form.constant, most = form.constant;
+  for (int k = 0; k < 3; ++k) {
+    const std::int64_t c = form.coefficient[k];
+    least += c * (c > 0 ? region.lo[k] : region.hi[k]);
+    most += c * (c > 0 ? region.hi[k] : region.lo[k]);
+  }
+  return {least, most};
+}
+
+std::int64_t least_cost(const Wish& wish, const Region& region) {
+  const auto [least, most] = range_of(wish.form, region);
+  return std::max<std::int64_t>({0, least, -most}) * wish.weight / wish.scale;
+}
+
+// What a case of something wished for costs at least, wherever in the region.
+std::int64_t least_cost(const Reduced& one, std::int64_t weight, const Region& region) {
+  std::int64_t miss = one.miss;
+  for (const Partial& check : one.checks) miss = std::max(miss, missing(range_of(check, region).second, check.scale));
+  std::int64_t cost = one.price + miss * weight;
+  for (const Wish& wish : one.wishes) cost += least_cost(wish, region);
+  return cost;
+}
+
+}  // namespace
 
 std::int64_t constraint_cost(const PlacementModel& model, const Constraint& constraint, const Placements& placements) {
   if (!all_placed(constraint, placements)) return 0;
@@ -30,20 +55,17 @@ std::int64_t constraint_cost(const PlacementModel& model, const Constraint& cons
   return sum;
 }
 
-std::map<std::string, std::int64_t> cost_terms(const PlacementModel& model, const Placements& placements) {
-  std::map<std::string, std::int64_t> terms{{"habits", 0}, {"relations", 0}, {"access", 0}, {"ways", 0}, {"sizes", 0}};
-  for (const Constraint& constraint : model.constraints) {
-    if (!all_placed(constraint, placements)) continue;
-    const bool stay = constraint.stay || !constraint.words.empty();
-    terms[stay ? "stay" : constraint.relation < 0 ? "habits" : "relations"] += constraint_cost(model, constraint, placements);
+std::int64_t least_wish_cost(const Region& region, std::span<const SoftFormula> soft, std::int64_t enough) {
+  std::int64_t cost = region.price;
+  for (const Reduced* one : region.cases) {
+    for (const Wish& wish : one->wishes) cost += least_cost(wish, region);
   }
-  for (std::size_t i = 0; i < model.items.size(); ++i) {
-    if (placements[i].state < 0) continue;
-    terms["access"] += access_cost_of(model, static_cast<int>(i), placements);
-    terms["sizes"] += std::int64_t{kPoint} * kCostWeights.size_step * model.items[i].states[placements[i].state].size_step;
+  for (std::size_t i = 0; i < soft.size() && cost < enough; ++i) {
+    std::int64_t least = kNoCost;
+    for (const Reduced& one : soft[i].all()) least = std::min(least, least_cost(one, soft[i].weight, region));
+    cost += least;
   }
-  terms["ways"] = ways_cost(model, placements);
-  return terms;
+  return cost;
 }
 
 }  // namespace layoutbox::placement

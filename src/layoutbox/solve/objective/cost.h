@@ -1,19 +1,16 @@
-// What makes one legal layout better than another, in thousandths of a point; the terms and their weights are described in docs/solve.md.
+// What makes one legal layout better than another, in thousandths of a point: how its terms are measured. The list of them is in terms.h.
 #pragma once
 
 #include <cstdint>
 #include <limits>
-#include <map>
-#include <string>
+#include <span>
 
 #include "layoutbox/solve/model/model.h"
+#include "layoutbox/solve/model/reduced.h"
 
 namespace layoutbox::placement {
 
-// Points: for a used side that cannot be reached at all, for wanted floor that is blocked, per thousandth of free floor that is cut off,
-// for a greater thing to whose used sides no way 0.6 m wide leads from a door,
-// per step below the usual size, per metre that something reaches into a door's swing that had to be given up, per relation `reachable`
-// that does not hold.
+// Points; what for is said in terms.cc.
 struct CostWeights {
   int access = 700;
   int wanted = 350;
@@ -32,6 +29,13 @@ inline constexpr std::int64_t kPoint = 1000;
 // placed.
 std::int64_t constraint_cost(const PlacementModel& model, const Constraint& constraint, const Placements& placements);
 
+// What is wished of one item in one state costs at least so much, wherever it stands in the region; from `enough` on perhaps more.
+// `soft`: what is wished apart from what the region's cases ask for.
+std::int64_t least_wish_cost(const Region& region, std::span<const SoftFormula> soft, std::int64_t enough);
+
+// Cost of a size below the usual one.
+inline std::int64_t size_cost(const State& state) { return kPoint * kCostWeights.size_step * state.size_step; }
+
 // Thousandths of the free floor that hang together for a person 0.2 m wide (largest part of all).
 int walk_permille(const PlacementModel& model, const Placements& placements);
 // Can somebody `width` wide walk from a door to a place beside the item?
@@ -41,8 +45,5 @@ bool reachable(const PlacementModel& model, int item, Mm width, const Placements
 // much.
 std::int64_t ways_cost(const PlacementModel& model, const Placements& placements,
                        std::int64_t enough = std::numeric_limits<std::int64_t>::max());
-
-// All terms by name, for the layout's score; "stay", the way from an earlier layout, is not part of it.
-std::map<std::string, std::int64_t> cost_terms(const PlacementModel& model, const Placements& placements);
 
 }  // namespace layoutbox::placement

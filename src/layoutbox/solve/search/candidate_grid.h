@@ -3,22 +3,13 @@
 #pragma once
 
 #include <array>
-#include <limits>
+#include <cstdint>
 #include <span>
+#include <vector>
 
-#include "layoutbox/solve/search/region.h"
+#include "layoutbox/solve/model/reduced.h"
 
 namespace layoutbox::placement {
-
-inline constexpr std::int64_t kNoCost = std::numeric_limits<std::int64_t>::max() / 4;
-
-// Something wished for: its cases where only the item at hand is free, and points per metre missed.
-struct SoftFormula {
-  std::int64_t weight = 0;
-  std::vector<Reduced> cases;
-  std::size_t count = 0;  // of them; after them are such as were used before
-  std::span<const Reduced> all() const { return {cases.data(), count}; }
-};
 
 class CandidateGrid {
  public:

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "layoutbox/solve/objective/cost.h"
+#include "layoutbox/solve/objective/terms.h"
 
 namespace layoutbox::placement {
 namespace {
@@ -28,31 +29,6 @@ class LineCosts {
  private:
   std::map<std::tuple<int, int, Mm>, std::int64_t> least_;
 };
-
-// The least and the greatest value of a form over a region.
-std::pair<std::int64_t, std::int64_t> range_of(const Partial& form, const Region& region) {
-  std::int64_t least = form.constant, most = form.constant;
-  for (int k = 0; k < 3; ++k) {
-    const std::int64_t c = form.coefficient[k];
-    least += c * (c > 0 ? region.lo[k] : region.hi[k]);
-    most += c * (c > 0 ? region.hi[k] : region.lo[k]);
-  }
-  return {least, most};
-}
-
-std::int64_t least_cost(const Wish& wish, const Region& region) {
-  const auto [least, most] = range_of(wish.form, region);
-  return std::max<std::int64_t>({0, least, -most}) * wish.weight / wish.scale;
-}
-
-// What a case of something wished for costs at least, wherever in the region.
-std::int64_t least_cost(const Reduced& one, std::int64_t weight, const Region& region) {
-  std::int64_t miss = one.miss;
-  for (const Partial& check : one.checks) miss = std::max(miss, missing(range_of(check, region).second, check.scale));
-  std::int64_t cost = one.price + miss * weight;
-  for (const Wish& wish : one.wishes) cost += least_cost(wish, region);
-  return cost;
-}
 
 }  // namespace
 
@@ -158,27 +134,13 @@ bool CandidateFinder::consider(Hunt& hunt, int state, const Vec3& at, std::int64
   return false;
 }
 
-// Does every position of the region cost so much? Then none of them need be looked at.
-bool CandidateFinder::costs_at_least(std::int64_t limit, const Region& region, std::int64_t base) const {
-  std::int64_t cost = base + region.price;
-  for (const Reduced* one : region.cases) {
-    for (const Wish& wish : one->wishes) cost += least_cost(wish, region);
-  }
-  for (std::size_t i = 0; i < soft_.size() && cost < limit; ++i) {
-    std::int64_t least = kNoCost;
-    for (const Reduced& one : soft_[i].all()) least = std::min(least, least_cost(one, soft_[i].weight, region));
-    cost += least;
-  }
-  return cost >= limit;
-}
-
 // All of the grid; true: that was enough.
-bool CandidateFinder::try_grid(Hunt& hunt, int state, std::int64_t size_cost, CandidateGrid& grid) {
+bool CandidateFinder::try_grid(Hunt& hunt, int state, std::int64_t base, CandidateGrid& grid) {
   for (std::size_t iz = 0; iz < grid.values[2].size(); ++iz) {
     for (std::size_t iy = 0; iy < grid.values[1].size(); ++iy) {
       hunt.budget.count(static_cast<std::int64_t>(grid.values[0].size()));
       if (hunt.budget.stopped) return true;
-      grid.start_row(iy, iz, size_cost);
+      grid.start_row(iy, iz, base);
       if (grid.row_bound() >= hunt.worst()) continue;
       for (std::size_t ix = 0; ix < grid.values[0].size(); ++ix) {
         const std::int64_t cost = grid.cost_in_row(ix, hunt.worst());
@@ -191,14 +153,14 @@ bool CandidateFinder::try_grid(Hunt& hunt, int state, std::int64_t size_cost, Ca
 }
 
 // Single points, at each height of the grid; true: that was enough.
-bool CandidateFinder::try_points(Hunt& hunt, int state, std::int64_t size_cost, const Region& region, const std::vector<Point>& points,
+bool CandidateFinder::try_points(Hunt& hunt, int state, std::int64_t base, const Region& region, const std::vector<Point>& points,
                                  const std::vector<Mm>& heights) {
   for (const Point& point : points) {
     hunt.budget.count(4);
     if (hunt.budget.stopped) return true;
     for (const Mm z : heights) {
       const Vec3 at{point.x, point.y, z};
-      const std::int64_t cost = size_cost + cost_at(region, at);
+      const std::int64_t cost = base + cost_at(region, at);
       if (cost < hunt.worst() && holds_at(region, at) && consider(hunt, state, at, cost)) return true;
     }
   }
@@ -226,9 +188,9 @@ std::vector<Candidate> CandidateFinder::find(const Placements& placements, int i
     if (budget.stopped) return std::move(hunt.best);
     if (regions.empty()) continue;
     find_soft(placements, item, state);
-    const std::int64_t size_cost = kPoint * kCostWeights.size_step * self.states[s].size_step;
+    const std::int64_t by_size = size_cost(self.states[s]);
     for (const Region& region : regions) {
-      if (skips_dear_ && hunt.worst() < kNoCost && costs_at_least(hunt.worst(), region, size_cost)) {
+      if (skips_dear_ && hunt.worst() < kNoCost && least_cost({self.states[s], region, soft_}, hunt.worst()) >= hunt.worst()) {
         budget.count(kStepsOfBound);
         continue;
       }
@@ -240,7 +202,7 @@ std::vector<Candidate> CandidateFinder::find(const Placements& placements, int i
       const std::vector<Point> points = crossings(placements, item, state, region, grid.values, budget);
       grid.tabulate(region, soft_);
       budget.count(50 + static_cast<std::int64_t>(4 * points.size()));
-      if (try_grid(hunt, state, size_cost, grid) || try_points(hunt, state, size_cost, region, points, grid.values[2]))
+      if (try_grid(hunt, state, by_size, grid) || try_points(hunt, state, by_size, region, points, grid.values[2]))
         return std::move(hunt.best);
     }
   }

@@ -56,9 +56,8 @@ class CandidateFinder {
  private:
   struct Hunt;
   bool consider(Hunt& hunt, int state, const Vec3& at, std::int64_t cost);
-  bool costs_at_least(std::int64_t limit, const Region& region, std::int64_t base) const;
-  bool try_grid(Hunt& hunt, int state, std::int64_t size_cost, CandidateGrid& grid);
-  bool try_points(Hunt& hunt, int state, std::int64_t size_cost, const Region& region, const std::vector<Point>& points,
+  bool try_grid(Hunt& hunt, int state, std::int64_t base, CandidateGrid& grid);
+  bool try_points(Hunt& hunt, int state, std::int64_t base, const Region& region, const std::vector<Point>& points,
                   const std::vector<Mm>& heights);
   void reduce_soft(const Placements& placements, const Case& one, int item, int state, Reduced& reduced) const;
   void find_soft(const Placements& placements, int item, int state);

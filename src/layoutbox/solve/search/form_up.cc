@@ -87,8 +87,7 @@ bool Search::construct_formed(std::size_t fewest, Budget& budget) {
       if (placements_[item].state < 0 && (budget.stopped || !place(item, 0, budget))) failed_.push_back(item);
     }
     if (!failed_.empty() && !repair(budget)) continue;
-    std::int64_t cost = 0;
-    for (const auto& [term, points] : cost_terms(model_, placements_)) cost += points;
+    const std::int64_t cost = total_cost(model_, placements_);
     if (!best || cost < best->first) best = {cost, placements_};
   }
   if (best) placements_ = std::move(best->second);
@@ -181,7 +180,7 @@ bool Search::form_up(const std::vector<int>& places, const Way& way, Budget& bud
 // At its places, whichever way all look; where that is no better, a little off them, the way they look now.
 void Search::form_up(Budget& budget) {
   constexpr std::array<Mm, 4> kOff{150, -150, 300, -300};
-  ways_ = ways_cost(model_, placements_);
+  late_ = late_cost(model_, placements_);
   for (const auto& [first, places] : places_by_formation(model_)) {
     const std::vector<Case>& cases = model_.constraints[places[0]].formulas[0].cases;
     bool formed = false;

@@ -76,7 +76,7 @@ void Search::improve(Budget& budget, std::int64_t patience, bool sweeps) {
   const std::vector<int> movable = this->movable();
   if (movable.empty()) return;
   std::fill(bonus_.begin(), bonus_.end(), 0);  // what failed while it was built is looked after no longer
-  ways_ = ways_cost(model_, placements_);
+  late_ = late_cost(model_, placements_);
   const auto count = static_cast<std::int64_t>(movable.size());
   const std::vector<std::vector<int>> together = model_.start.empty() ? formations() : std::vector<std::vector<int>>{};
   for (const std::vector<int>& formation : together) {

@@ -30,50 +30,6 @@ std::vector<std::string> in_facing_order(const SceneGraph& scene, const std::vec
 
 }  // namespace
 
-void KnownCosts::are_of(const PlacementModel& model, const Placements& placements) {
-  if (of == placements && constraints.size() == model.constraints.size()) return;
-  std::vector<int> moved;
-  bool fresh = constraints.size() != model.constraints.size();
-  for (std::size_t i = 0; i < placements.size() && !fresh; ++i) {
-    if (of[i] == placements[i]) continue;
-    moved.push_back(static_cast<int>(i));
-    fresh = of[i].state < 0 || placements[i].state < 0;
-  }
-  if (fresh) {
-    constraints.assign(model.constraints.size(), std::nullopt);
-    access.assign(model.items.size(), std::nullopt);
-  } else {
-    for (const int item : moved) {
-      for (const int c : model.touching[item]) constraints[static_cast<std::size_t>(c)].reset();
-    }
-    for (const int item : access_touched(model, of, placements, moved)) access[static_cast<std::size_t>(item)].reset();
-  }
-  of = placements;
-}
-
-// How much less what touches the group costs than before it moved; ways to walk apart. No more than `least_gain`: perhaps not all of the
-// loss, but so much.
-std::int64_t Search::gain_since(const Placements& before, const std::vector<int>& group, std::int64_t least_gain) {
-  known_.are_of(model_, before);
-  std::vector<int> constraints;
-  for (const int item : group) constraints.insert(constraints.end(), model_.touching[item].begin(), model_.touching[item].end());
-  std::sort(constraints.begin(), constraints.end());
-  constraints.erase(std::unique(constraints.begin(), constraints.end()), constraints.end());
-  const std::vector<int> reached = access_touched(model_, before, placements_, group);
-  std::int64_t gain = 0;
-  for (const int item : group) {
-    const std::vector<State>& states = model_.items[item].states;
-    gain += kPoint * kCostWeights.size_step * (states[before[item].state].size_step - states[placements_[item].state].size_step);
-  }
-  // All that it cost before, known for the most part, then what it costs now, as long as that may be worth it.
-  for (const int c : constraints) gain += known_.of_constraint(model_, c);
-  for (const int item : reached) gain += known_.of_access(model_, item);
-  for (std::size_t i = 0; i < constraints.size() && gain > least_gain; ++i)
-    gain -= constraint_cost(model_, model_.constraints[constraints[i]], placements_);
-  for (std::size_t i = 0; i < reached.size() && gain > least_gain; ++i) gain -= access_cost_of(model_, reached[i], placements_);
-  return gain;
-}
-
 bool Search::move(const std::vector<int>& group, std::int64_t noise, Budget& budget) {
   const Placements before = placements_;
   for (const int member : group) placements_[member] = {};
@@ -87,14 +43,14 @@ bool Search::move(const std::vector<int>& group, std::int64_t noise, Budget& bud
 // Whether what moved since is worth it.
 bool Search::is_better(const Placements& before, const std::vector<int>& moved, Budget& budget, std::int64_t least_gain) {
   if (placements_ == before) return false;
-  const std::int64_t gain = gain_since(before, moved, least_gain);
+  const std::int64_t gain = known_.gain(model_, {before, placements_, moved}, least_gain);
   budget.count(100);
-  // The ways are costly to measure: only for what is better, or nearly as good, without them.
+  // Only for what is better, or nearly as good, without what is costly to measure.
   if (gain <= least_gain) return false;
   budget.count(900);
-  const std::int64_t ways_after = ways_cost(model_, placements_, gain + ways_);
-  if (ways_after >= gain + ways_) return false;
-  ways_ = ways_after;
+  const std::int64_t late_after = late_cost(model_, placements_, gain + late_);
+  if (late_after >= gain + late_) return false;
+  late_ = late_after;
   return true;
 }
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "layoutbox/solve/objective/cost.h"
+#include "layoutbox/solve/objective/known_costs.h"
 #include "layoutbox/solve/search/candidates.h"
 #include "layoutbox/solve/search/order.h"
 
@@ -16,25 +16,6 @@ namespace layoutbox::placement {
 inline constexpr std::int64_t kLeastGain =
     -400'000;                                  // thousandths of a point: what a move must gain without the ways for these to be measured
 inline constexpr std::int64_t kPatience = 12;  // moves in vain a thing, after which an improvement ends
-
-// What constraints and items cost in one arrangement, each once: most moves are weighed against the same.
-struct KnownCosts {
-  Placements of;
-  std::vector<std::optional<std::int64_t>> constraints, access;
-
-  // What does not depend on the difference stays known.
-  void are_of(const PlacementModel& model, const Placements& placements);
-  std::int64_t of_constraint(const PlacementModel& model, int constraint) {
-    std::optional<std::int64_t>& cost = constraints[static_cast<std::size_t>(constraint)];
-    if (!cost) cost = constraint_cost(model, model.constraints[constraint], of);
-    return *cost;
-  }
-  std::int64_t of_access(const PlacementModel& model, int item) {
-    std::optional<std::int64_t>& cost = access[static_cast<std::size_t>(item)];
-    if (!cost) cost = access_cost_of(model, item, of);
-    return *cost;
-  }
-};
 
 class Search {
  public:
@@ -105,7 +86,6 @@ class Search {
   void settle(Budget& budget);
   bool are_tied(const std::vector<int>& a, const std::vector<int>& b) const;
   bool is_better(const Placements& before, const std::vector<int>& moved, Budget& budget, std::int64_t least_gain = kLeastGain);
-  std::int64_t gain_since(const Placements& before, const std::vector<int>& group, std::int64_t least_gain);
 
   const PlacementModel& model_;
   CandidateFinder finder_;
@@ -113,7 +93,7 @@ class Search {
   int most_size_step_;
   Placements placements_;
   std::vector<int> failed_;
-  std::int64_t ways_ = 0;   // cost of the ways as things stand, while improving
+  std::int64_t late_ = 0;   // what is measured last costs so much as things stand, while improving
   KnownCosts known_;        // of what many moves start from
   std::vector<int> bonus_;  // how often an item failed
   Dependencies dependencies_;

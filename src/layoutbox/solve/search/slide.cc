@@ -76,10 +76,9 @@ bool Search::slide(int item, Budget& budget) {
       for (int axis = 0; axis < 2; ++axis) placements_[moved[k]].at[axis] += candidate.placement.at[axis] - before[item].at[axis];
     }
     if (candidate.hit.empty() || !push_away(moved, candidate.hit, price)) continue;
-    if (gain_since(before, moved, 0) <= 0) continue;
-    const std::int64_t ways_after = ways_cost(model_, placements_);
+    if (known_.gain(model_, {before, placements_, moved}, 0) <= 0) continue;
+    late_ = late_cost(model_, placements_);
     budget.count(900);
-    ways_ = ways_after;
     return true;
   }
   placements_ = before;
