@@ -28,7 +28,7 @@ class Enumeration {
   }
 
   bool holds(int item) const {
-    for (const int c : model_.touching[item]) {
+    for (const ConstraintId c : model_.touching[item]) {
       const Constraint& constraint = model_.constraints[c];
       if (constraint.firmness == Firmness::kSoft) continue;
       for (const Formula& f : constraint.formulas) {

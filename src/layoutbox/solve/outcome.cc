@@ -13,7 +13,7 @@ std::optional<Relaxation> Solver::relaxation_of(const std::string& name, const s
       std::find_if(model_.constraints.begin(), model_.constraints.end(), [&](const Constraint& c) { return c.name == name; });
   if (found == model_.constraints.end()) return std::nullopt;  // its objects are left out
   const Constraint& constraint = *found;
-  const auto index = static_cast<int>(found - model_.constraints.begin());
+  const ConstraintId index = model_.constraints.id_of(constraint);
   Relaxation out{constraint.name, 0, "m", why};
   bool placed = all_placed(constraint, placements_);
   std::int64_t miss = placed ? miss_of(model_, constraint, placements_) : 0;

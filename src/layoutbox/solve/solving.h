@@ -85,14 +85,14 @@ class Solver {
 
   // ---- what cannot be whatever else is asked for (impossible.cc)
   Result<bool> give_up_impossible();
-  Result<bool> give_up_impossible(int constraint, const Dependencies& dependencies);
+  Result<bool> give_up_impossible(ConstraintId constraint, const Dependencies& dependencies);
 
   // ---- what nobody asked for gives way (assumptions.cc)
-  std::vector<int> assumptions_left() const;
+  std::vector<ConstraintId> assumptions_left() const;
   bool asked_things_went() const;
-  bool is_door_floor(int constraint) const;
+  bool is_door_floor(ConstraintId constraint) const;
   bool search_without_assumptions();
-  bool is_missed(int constraint) const;
+  bool is_missed(ConstraintId constraint) const;
   Status yield_assumptions(bool found);
   std::vector<int> extras_in_the_way();
   bool is_asked(int item) const;
@@ -121,11 +121,11 @@ class Solver {
   void let_companions_in(const PlacementModel& trial, const Scope& scope);
   void place_openings_first(const PlacementModel& trial, const Scope& scope);
   Scope all_wished(PlacementModel& trial) const;
-  void keep_what_can_be(std::vector<int>& missed);
+  void keep_what_can_be(std::vector<ConstraintId>& missed);
   Clash guess() const;
   Status give_up(const Clash& clash);
   std::vector<Demand>::const_iterator cheapest_of(const Clash& clash);
-  std::int64_t miss_without(int constraint);
+  std::int64_t miss_without(ConstraintId constraint);
   Result<bool> note_conflict(const Clash& clash, bool asked);
   void fall_back();
   Scope scope_in(const PlacementModel& model) const;

@@ -19,9 +19,9 @@ constexpr std::array kFunctions{
 };
 
 Result<Reference> resolve(const PlacementModel& model, const std::string& id, std::string_view pointer) {
-  if (id == "room" || id == "floor" || id == "ceiling") return Reference{Reference::Kind::kRoom, -1};
-  if (const int item = model.find_item(id); item >= 0) return Reference{Reference::Kind::kItem, item};
-  if (const int wall = model.find_wall(id); wall >= 0) return Reference{Reference::Kind::kWall, wall};
+  if (id == "room" || id == "floor" || id == "ceiling") return Reference{Reference::Kind::kRoom, -1, {}};
+  if (const int item = model.find_item(id); item >= 0) return Reference{Reference::Kind::kItem, item, {}};
+  if (const WallId wall = model.find_wall(id); wall.exists()) return Reference{Reference::Kind::kWall, -1, wall};
   return fail(ErrorCode::kReference, fmt::format("a relation speaks of \"{}\", which is not in the scene", id), std::string(pointer));
 }
 
@@ -68,8 +68,8 @@ void allow_turned_only_where_exact(Compilation& c) {
 }  // namespace
 
 Place Compilation::place(const Reference& reference) const {
-  if (reference.kind == Reference::Kind::kItem) return place_of(reference.index);
-  if (reference.kind == Reference::Kind::kWall) return place_of(model, model.walls[reference.index]);
+  if (reference.kind == Reference::Kind::kItem) return place_of(reference.item);
+  if (reference.kind == Reference::Kind::kWall) return place_of(model, model.walls[reference.wall]);
   Place room;
   for (int axis = 0; axis < 3; ++axis) room.lo[axis] = model.room.lo[axis], room.hi[axis] = model.room.hi[axis];
   return room;
@@ -78,19 +78,19 @@ Place Compilation::place(const Reference& reference) const {
 std::vector<int> Compilation::reference_items() const {
   std::vector<int> found;
   for (const Reference& r : references) {
-    if (r.kind == Reference::Kind::kItem) found.push_back(r.index);
+    if (r.kind == Reference::Kind::kItem) found.push_back(r.item);
   }
   return found;
 }
 
-std::vector<int> Compilation::walls() const {
-  std::vector<int> found;
+std::vector<WallId> Compilation::walls() const {
+  std::vector<WallId> found;
   for (const Reference& r : references) {
-    if (r.kind == Reference::Kind::kWall) found.push_back(r.index);
+    if (r.kind == Reference::Kind::kWall) found.push_back(r.wall);
   }
   const auto named = [](const Reference& r) { return r.kind != Reference::Kind::kRoom; };
   if (std::any_of(references.begin(), references.end(), named)) return found;
-  for (std::size_t w = 0; w < model.walls.size(); ++w) found.push_back(static_cast<int>(w));
+  for (const WallId wall : model.walls.ids()) found.push_back(wall);
   return found;
 }
 
@@ -101,7 +101,7 @@ Status compile_relation(const PlacementModel& model, const Relation& relation, s
     if (target.kind != Reference::Kind::kItem) {
       return fail(ErrorCode::kReference, fmt::format("\"{}\" is not an object that can be placed", id), std::string(pointer));
     }
-    c.targets.push_back(target.index);
+    c.targets.push_back(target.item);
   }
   for (const std::string& id : relation.references) {
     LAYOUTBOX_ASSIGN(const Reference reference, resolve(model, id, pointer));

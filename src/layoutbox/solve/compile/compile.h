@@ -14,7 +14,8 @@ namespace layoutbox::placement {
 // What a relation's reference turned out to be.
 struct Reference {
   enum class Kind { kItem, kWall, kRoom } kind = Kind::kItem;
-  int index = -1;
+  int item = -1;
+  WallId wall;
 };
 
 // Where a reference stands: an item's box, a wall's face from floor to ceiling, the room's box.
@@ -39,7 +40,7 @@ struct Compilation {
   Place place(const Reference& reference) const;
   std::vector<int> reference_items() const;
   // The walls named; all straight walls where none is.
-  std::vector<int> walls() const;
+  std::vector<WallId> walls() const;
 };
 
 #define LAYOUTBOX_RELATION(name, json_name, group, arity, kinds, parameters, sentence) void compile_##name(Compilation& c);

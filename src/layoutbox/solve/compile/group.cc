@@ -128,7 +128,7 @@ void stand_between(Formula& f, int t, const Place& a, const Place& b, int axis) 
 }
 
 bool is_known_exactly(const Compilation& c, const Reference& r) {
-  return r.kind == Reference::Kind::kItem || (r.kind == Reference::Kind::kWall && c.model.walls[r.index].straight);
+  return r.kind == Reference::Kind::kItem || (r.kind == Reference::Kind::kWall && c.model.walls[r.wall].straight);
 }
 
 }  // namespace

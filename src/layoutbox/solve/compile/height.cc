@@ -109,11 +109,11 @@ void add_at_part(Compilation& c, int t, int r, Resting how) {
 
 // "A cup on a coaster on the table": the coaster is on the table, and so the cup is; asked for is at most where on it.
 bool rests_by_way(Compilation& c, int t, const Reference& r) {
-  if (r.kind != Reference::Kind::kItem || !rests_by_way_of_others(*c.model.scene, c.item(t).id, c.item(r.index).id)) return false;
+  if (r.kind != Reference::Kind::kItem || !rests_by_way_of_others(*c.model.scene, c.item(t).id, c.item(r.item).id)) return false;
   const ThingPart& part = c.relation.parameters.part;
   Formula& f = c.formula();
   if (part.says_where())
-    require_part(f, c.model, t, r.index, part);
+    require_part(f, c.model, t, r.item, part);
   else
     f.add();
   return true;
@@ -121,22 +121,22 @@ bool rests_by_way(Compilation& c, int t, const Reference& r) {
 
 void stand_on(Compilation& c, int t, const Reference& r, const std::string& id) {
   if (r.kind == Reference::Kind::kItem) {
-    const Item& ref = c.item(r.index);
+    const Item& ref = c.item(r.item);
     if (ref.thin) {
       Case base;
       base.require_small(lo(t, 2) - Linear(c.model.room.lo[2]), 0);
       const auto& all = c.model.scene->relations;
       const auto on_it = std::ranges::count_if(
           all, [&](const Relation& other) { return other.type == RelationType::kOn && other.references == std::vector{id}; });
-      for (int axis = 0; axis < 2 && on_it == 1 && c.targets.size() == 1; ++axis) base.wish(mid2(t, axis) - mid2(r.index, axis), 100, 2);
+      for (int axis = 0; axis < 2 && on_it == 1 && c.targets.size() == 1; ++axis) base.wish(mid2(t, axis) - mid2(r.item, axis), 100, 2);
       Formula& f = c.formula();
-      for (Case& one : cover(base, c.model, t, r.index, 0)) f.cases.push_back(std::move(one));
-      if (const ThingPart& part = c.relation.parameters.part; part.says_where()) require_part(c.formula(), c.model, t, r.index, part);
+      for (Case& one : cover(base, c.model, t, r.item, 0)) f.cases.push_back(std::move(one));
+      if (const ThingPart& part = c.relation.parameters.part; part.says_where()) require_part(c.formula(), c.model, t, r.item, part);
     } else if (ref.is_opening()) {
       Formula& f = c.formula();
-      if (ref.opening->type == OpeningType::kWindow) add_on_sill(f, c.model, t, r.index);
+      if (ref.opening->type == OpeningType::kWindow) add_on_sill(f, c.model, t, r.item);
     } else {
-      add_at_part(c, t, r.index, Resting::kOn);
+      add_at_part(c, t, r.item, Resting::kOn);
     }
     return;
   }
@@ -164,8 +164,8 @@ void compile_On(Compilation& c) {
 void compile_In(Compilation& c) {
   for (const int t : c.targets) {
     for (const Reference& r : c.references) {
-      if (r.kind == Reference::Kind::kItem && !c.item(r.index).is_opening()) {
-        add_at_part(c, t, r.index, Resting::kIn);
+      if (r.kind == Reference::Kind::kItem && !c.item(r.item).is_opening()) {
+        add_at_part(c, t, r.item, Resting::kIn);
       } else if (r.kind == Reference::Kind::kRoom) {
         c.formula().add().require(lo(t, 2) - Linear(c.model.room.lo[2]));  // everything is
       } else {

@@ -32,7 +32,7 @@ void band_to_each(Compilation& c, Mm least, std::optional<Mm> most, Mm wished) {
     for (const Reference& r : c.references) {
       Formula& f = c.formula();
       if (r.kind == Reference::Kind::kRoom) continue;  // no distance from it
-      if (r.kind == Reference::Kind::kWall && !c.model.walls[r.index].straight) {
+      if (r.kind == Reference::Kind::kWall && !c.model.walls[r.wall].straight) {
         f.exact = false;
         continue;
       }
@@ -105,7 +105,7 @@ void compile_Opposite(Compilation& c) {
   const Mm least = c.length(&RelationParameters::min), most = c.length(&RelationParameters::max);
   if (c.targets.size() > 1) {
     for (const Reference& r : c.references) {
-      if (r.kind == Reference::Kind::kItem && !c.item(r.index).is_opening()) add_opposite_group(c, r.index, least, most);
+      if (r.kind == Reference::Kind::kItem && !c.item(r.item).is_opening()) add_opposite_group(c, r.item, least, most);
     }
   }
   for (const int t : c.targets) {
@@ -132,7 +132,7 @@ void compile_CenteredOn(Compilation& c) {
   for (const int t : c.targets) {
     for (const int r : c.reference_items()) {
       const Item &target = c.item(t), &ref = c.item(r);
-      const auto rests_on = [&](const SupportOption& s) { return s.kind == SupportOption::Kind::kItem && s.index == r; };
+      const auto rests_on = [&](const SupportOption& s) { return s.kind == SupportOption::Kind::kItem && s.item == r; };
       const bool may_rest = std::any_of(target.supports.begin(), target.supports.end(), rests_on);
       const bool over = target.mount == Mount::kCeiling || target.thin || ref.thin;
       const bool along_only = !over && (ref.is_opening() || target.mount == Mount::kWall || ref.mount == Mount::kWall);

@@ -27,14 +27,14 @@ void turned_each(Compilation& c, int first, int step) {
     for (const Reference& r : c.references) {
       Formula& f = c.formula();
       if (r.kind == Reference::Kind::kWall) {
-        const RoomWall& wall = c.model.walls[r.index];
+        const RoomWall& wall = c.model.walls[r.wall];
         if (!wall.straight) f.exact = false;
         const std::uint64_t mask = wall.straight ? states_turned(c.item(t), wall.turn, 180, first, step)
                                                  : states_at_angle(c.item(t), wall.angle + first, std::min(step, 180));
         if (mask) f.add().when(t, mask);
       }
       if (r.kind != Reference::Kind::kItem) continue;
-      const Item& ref = c.item(r.index);
+      const Item& ref = c.item(r.item);
       for (std::size_t s = 0; s < ref.states.size(); ++s) {
         const std::uint64_t mask = states_turned(c.item(t), ref.states[s].turn, period_of(ref, ref.states[s]), first, step);
         if (!mask) continue;
@@ -43,7 +43,7 @@ void turned_each(Compilation& c, int first, int step) {
         if (same != f.cases.end()) {
           same->states[0].states |= std::uint64_t{1} << s;
         } else {
-          f.add().when(r.index, std::uint64_t{1} << s).when(t, mask);
+          f.add().when(r.item, std::uint64_t{1} << s).when(t, mask);
         }
       }
     }
@@ -89,8 +89,8 @@ void compile_Facing(Compilation& c) {
     const Side eyes = looking_side(c.model, t);
     for (const Reference& r : c.references) {
       Formula& f = c.formula();
-      if (r.kind == Reference::Kind::kItem) add_looks_at(f, c.model, t, r.index, eyes);
-      if (r.kind == Reference::Kind::kWall) add_looks_at_wall(f, c.model, t, c.model.walls[r.index], eyes);
+      if (r.kind == Reference::Kind::kItem) add_looks_at(f, c.model, t, r.item, eyes);
+      if (r.kind == Reference::Kind::kWall) add_looks_at_wall(f, c.model, t, c.model.walls[r.wall], eyes);
       const GridBox& room = c.model.room;
       if (r.kind == Reference::Kind::kRoom) {
         add_looks_at_point(f, c.model, t, {(room.lo[0] + room.hi[0]) / 2, (room.lo[1] + room.hi[1]) / 2}, eyes);

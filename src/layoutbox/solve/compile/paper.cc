@@ -96,8 +96,8 @@ void compile_Offset(Compilation& c) {
   for (const int t : c.targets) {
     for (const Reference& r : c.references) {
       Formula& f = c.formula();
-      if (r.kind == Reference::Kind::kWall) offset_from_wall(f, c, t, c.model.walls[r.index], distance);
-      if (r.kind == Reference::Kind::kItem) offset_from_item(f, c, t, r.index, distance);
+      if (r.kind == Reference::Kind::kWall) offset_from_wall(f, c, t, c.model.walls[r.wall], distance);
+      if (r.kind == Reference::Kind::kItem) offset_from_item(f, c, t, r.item, distance);
     }
   }
 }
@@ -106,7 +106,7 @@ void compile_Align(Compilation& c) { align_all(c); }
 void compile_GroupAlign(Compilation& c) { align_all(c); }
 
 void compile_Inside(Compilation& c) {
-  const std::vector<Reference> room{{Reference::Kind::kRoom, -1}};
+  const std::vector<Reference> room{{Reference::Kind::kRoom, -1, {}}};
   for (const int t : c.targets) {
     for (const Reference& r : c.references.empty() ? room : c.references) {
       const Place place = c.place(r);

@@ -47,7 +47,7 @@ std::vector<Case> away_from_angled(const PlacementModel& model, int t, const Roo
   std::vector<Case> cases;
   const Place box = place_of(model, wall);  // the least that is surely enough: away from the box around it
   Place around = box;
-  const Wall& drawn = model.scene->room.walls[static_cast<std::size_t>(&wall - model.walls.data())];
+  const Wall& drawn = model.scene->room.walls[model.walls.id_of(wall).index()];
   around.lo[0] = std::min(drawn.start.x, drawn.end.x), around.hi[0] = std::max(drawn.start.x, drawn.end.x);
   around.lo[1] = std::min(drawn.start.y, drawn.end.y), around.hi[1] = std::max(drawn.start.y, drawn.end.y);
   add_apart(cases, model, t, around, least, Purpose::kPlacing);

@@ -59,7 +59,7 @@ void compile_AgainstWall(Compilation& c) {
   const Mm gap = c.length(&RelationParameters::gap);
   for (const int t : c.targets) {
     Formula& f = c.formula();
-    for (const int w : c.walls()) {
+    for (const WallId w : c.walls()) {
       const RoomWall& wall = c.model.walls[w];
       add_against(f, c.model, t, states_with_back_to(c.item(t), wall), wall, gap);
     }
@@ -72,7 +72,7 @@ void compile_SideAgainstWall(Compilation& c) {
       c.relation.parameters.side ? std::vector{*c.relation.parameters.side} : std::vector{Side::kLeft, Side::kRight};
   for (const int t : c.targets) {
     Formula& f = c.formula();
-    for (const int w : c.walls()) {
+    for (const WallId w : c.walls()) {
       const RoomWall& wall = c.model.walls[w];
       std::uint64_t states = 0;
       for (const Side side : sides) states |= states_with_side_to(c.item(t), wall, side);
@@ -93,8 +93,8 @@ bool is_inner_corner(const RoomWall& a, const RoomWall& b) {
 }
 
 // Of one wall that is named either end is meant, of several where two of them meet.
-bool is_meant(const std::vector<int>& named, int first, int second) {
-  const auto is_named = [&](int w) { return std::find(named.begin(), named.end(), w) != named.end(); };
+bool is_meant(const std::vector<WallId>& named, WallId first, WallId second) {
+  const auto is_named = [&](WallId w) { return std::find(named.begin(), named.end(), w) != named.end(); };
   if (named.empty()) return true;
   return named.size() == 1 ? is_named(first) || is_named(second) : is_named(first) && is_named(second);
 }
@@ -113,10 +113,9 @@ void stand_in_corner(Formula& f, const Compilation& c, int t, const RoomWall& a,
 
 void compile_Corner(Compilation& c) {
   const Mm most = c.length(&RelationParameters::max);
-  const int n = static_cast<int>(c.model.walls.size());
-  std::vector<int> named;
+  std::vector<WallId> named;
   for (const Reference& r : c.references) {
-    if (r.kind == Reference::Kind::kWall) named.push_back(r.index);
+    if (r.kind == Reference::Kind::kWall) named.push_back(r.wall);
   }
   const auto is_named_at_all = [](const Reference& r) { return r.kind != Reference::Kind::kRoom; };
   if (named.empty() && std::any_of(c.references.begin(), c.references.end(), is_named_at_all)) {
@@ -127,8 +126,8 @@ void compile_Corner(Compilation& c) {
     Formula& f = c.formula();
     // Near the end of a wall that goes on past another the distance runs round a corner.
     if (!c.model.outside.empty()) f.exact = false;
-    for (int first = 0; first < n; ++first) {
-      const int second = (first + 1) % n;
+    for (const WallId first : c.model.walls.ids()) {
+      const WallId second = c.model.walls.next(first);
       const RoomWall &a = c.model.walls[first], &b = c.model.walls[second];
       if (is_inner_corner(a, b) && is_meant(named, first, second)) stand_in_corner(f, c, t, a, b, most);
     }
@@ -165,7 +164,7 @@ void compile_CenterOfRoom(Compilation& c) {
 void compile_CenteredOnWall(Compilation& c) {
   const Mm gap = c.length(&RelationParameters::gap);
   Formula& f = c.formula();
-  for (const int w : c.walls()) {
+  for (const WallId w : c.walls()) {
     const RoomWall& wall = c.model.walls[w];
     if (!wall.straight) {
       centre_on_slanted(f, c, wall, gap);
@@ -232,7 +231,7 @@ void compile_OnWall(Compilation& c) {
     const auto hangs = [](const SupportOption& s) { return s.kind == SupportOption::Kind::kWall; };
     Formula& f = c.formula();
     if (std::none_of(item.supports.begin(), item.supports.end(), hangs)) continue;  // a wish that a floor lamp hang
-    for (const int w : c.walls()) {
+    for (const WallId w : c.walls()) {
       const RoomWall& wall = c.model.walls[w];
       add_against(f, c.model, t, states_with_back_to(item, wall), wall, 0, true);
     }
@@ -248,7 +247,7 @@ void compile_OnCeiling(Compilation& c) {
 void compile_AwayFromWall(Compilation& c) {
   const Mm least = c.length(&RelationParameters::min);
   for (const int t : c.targets) {
-    for (const int w : c.walls()) {
+    for (const WallId w : c.walls()) {
       const RoomWall& wall = c.model.walls[w];
       if (!wall.straight) {
         c.formula().exact = false;

@@ -18,7 +18,7 @@ bool belongs_to(const PlacementModel& model, int other, int t) {
 
 bool may_rest_on(const Item& item, int host) {
   return std::any_of(item.supports.begin(), item.supports.end(),
-                     [&](const SupportOption& s) { return s.kind == SupportOption::Kind::kItem && s.index == host; });
+                     [&](const SupportOption& s) { return s.kind == SupportOption::Kind::kItem && s.item == host; });
 }
 
 constexpr Mm kStandingRoom = 2000;
@@ -97,7 +97,7 @@ void compile_KeepClear(Compilation& c) {
   bool openings = false;
   for (const int t : c.targets) {
     for (const Reference& r : c.references) {
-      if (r.kind == Reference::Kind::kItem && c.item(r.index).is_opening()) {
+      if (r.kind == Reference::Kind::kItem && c.item(r.item).is_opening()) {
         openings = true;
       } else if (r.kind != Reference::Kind::kRoom) {
         add_band(c.formula(), c.model, t, c.place(r), c.relation.parameters.depth.value_or(600), std::nullopt, 0);

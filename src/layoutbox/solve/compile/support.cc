@@ -253,34 +253,34 @@ Constraint compile_support(PlacementModel& model, int t) {
     if (model.items[host].thin) continue;
     if (model.items[host].is_opening()) {
       add_on_sill(f, model, t, host);
-      note({Kind::kSill, host}, 0);
+      note({Kind::kSill, host, {}, false}, 0);
     } else {
       add_resting(f, model, t, host, "", Resting::kOn);
-      note({Kind::kItem, host, item.mount != Mount::kHung}, 0);
+      note({Kind::kItem, host, {}, item.mount != Mount::kHung}, 0);
     }
     if (!named || model.items[host].is_opening()) continue;
     // Also where only "on its top" was meant; and what usually hangs may lie in it.
     add_resting(f, model, t, host, "", item.mount == Mount::kHung ? Resting::kIn : Resting::kTop);
-    note({Kind::kItem, host, true}, 400);
+    note({Kind::kItem, host, {}, true}, 400);
   }
   for (const int cover : covers_named(model, t)) {
     const std::size_t known = f.cases.size();
     add_compartments_above(f, model, t, cover);
-    if (f.cases.size() > known) note({Kind::kItem, cover, true}, 0);
+    if (f.cases.size() > known) note({Kind::kItem, cover, {}, true}, 0);
   }
   const int otherwise = named ? 4000 : hosts.empty() ? 0 : 1500;
   const auto add_mount = [&](Mount mount, int price) {
     if (mount == Mount::kWall) {
-      for (std::size_t w = 0; w < model.walls.size(); ++w) {
+      for (const WallId w : model.walls.ids()) {
         add_against(f, model, t, states_with_back_to(item, model.walls[w]), model.walls[w], 0, true);
-        note({Kind::kWall, static_cast<int>(w)}, price);
+        note({Kind::kWall, -1, w, false}, price);
       }
     } else if (mount == Mount::kCeiling) {
       f.add().require_small(hi(t, 2) - Linear(model.room.hi[2]), 0);
-      note({Kind::kCeiling, -1}, price);
+      note({Kind::kCeiling, -1, {}, false}, price);
     } else {
       f.add().require_small(lo(t, 2) - Linear(model.room.lo[2]), 0);
-      note({Kind::kFloor, -1}, price);
+      note({Kind::kFloor, -1, {}, false}, price);
     }
   };
   add_mount(item.mount, otherwise);

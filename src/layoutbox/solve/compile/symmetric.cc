@@ -62,15 +62,15 @@ void compile_SymmetricAbout(Compilation& c) {
     f.exact = false;  // two may share one mirror image
     const Place place = c.place(r);
     if (r.kind == Reference::Kind::kWall) {
-      const RoomWall& wall = c.model.walls[r.index];
+      const RoomWall& wall = c.model.walls[r.wall];
       if (wall.straight) add_mirrored(f, c, {}, place, along_y ? wall.normal() : wall.along);
       continue;
     }
     const Side along = along_y ? Side::kBack : Side::kRight;
-    for_each_turn(c.item(r.index), [&](int turn, std::uint64_t states) {
+    for_each_turn(c.item(r.item), [&](int turn, std::uint64_t states) {
       Case base;
-      base.when(r.index, states);
-      add_mirrored(f, c, base, place, side_direction(c.item(r.index), along, turn).axis);
+      base.when(r.item, states);
+      add_mirrored(f, c, base, place, side_direction(c.item(r.item), along, turn).axis);
     });
   }
 }

@@ -9,14 +9,13 @@
 namespace layoutbox::placement {
 
 // Demands that nobody asked for and that have not given way.
-std::vector<int> Solver::assumptions_left() const {
-  std::vector<int> left;
+std::vector<ConstraintId> Solver::assumptions_left() const {
+  std::vector<ConstraintId> left;
   const bool things_went = asked_things_went();
-  for (std::size_t c = 0; c < model_.constraints.size(); ++c) {
+  for (const ConstraintId c : model_.constraints.ids()) {
     const Constraint& constraint = model_.constraints[c];
     const bool demanded = constraint.firmness == Firmness::kHard || constraint.firmness == Firmness::kImplied;
-    if (demanded && !scope_.given_up[c] && is_assumption(model_, constraint) && !(things_went && is_door_floor(static_cast<int>(c))))
-      left.push_back(static_cast<int>(c));
+    if (demanded && !scope_.given_up[c] && is_assumption(model_, constraint) && !(things_went && is_door_floor(c))) left.push_back(c);
   }
   return left;
 }
@@ -29,17 +28,17 @@ bool Solver::asked_things_went() const {
   });
 }
 
-bool Solver::is_door_floor(int constraint) const {
+bool Solver::is_door_floor(ConstraintId constraint) const {
   return std::any_of(model_.items.begin(), model_.items.end(), [&](const Item& item) {
     return item.is_opening() && item.clearance_constraint == constraint && item.opening->type != OpeningType::kWindow;
   });
 }
 
 bool Solver::search_without_assumptions() {
-  const std::vector<int> assumptions = assumptions_left();
+  const std::vector<ConstraintId> assumptions = assumptions_left();
   if (assumptions.empty()) return false;
   Scope less = scope_;
-  for (const int c : assumptions) less.given_up[static_cast<std::size_t>(c)] = 1;
+  for (const ConstraintId c : assumptions) less.given_up[c] = 1;
   const std::vector<int> failed = failed_;
   const bool found = search(less);
   failed_ = failed;
@@ -47,35 +46,35 @@ bool Solver::search_without_assumptions() {
 }
 
 // By the layout at hand.
-bool Solver::is_missed(int constraint) const {
+bool Solver::is_missed(ConstraintId constraint) const {
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     if (model_.items[i].is_opening() && model_.items[i].clearance_constraint == constraint)
       return placements_[i].state >= 0 && intrusion_of(model_, static_cast<int>(i), placements_) != 0;
   }
-  return miss_of(model_, model_.constraints[static_cast<std::size_t>(constraint)], placements_) != 0;
+  return miss_of(model_, model_.constraints[constraint], placements_) != 0;
 }
 
 // What nobody asked for gives way: where a layout was found without it, what that misses and no other holds beside the rest; else all of
 // it, to come back in the end where it can.
 Status Solver::yield_assumptions(bool found) {
-  std::vector<int> missed = assumptions_left();
+  std::vector<ConstraintId> missed = assumptions_left();
   if (found) {
-    std::erase_if(missed, [&](int c) { return !is_missed(c); });
+    std::erase_if(missed, [&](ConstraintId c) { return !is_missed(c); });
     keep_what_can_be(missed);
   }
   std::vector<std::string> companions;
-  for (const int c : missed) {
-    const Constraint& constraint = model_.constraints[static_cast<std::size_t>(c)];
+  for (const ConstraintId c : missed) {
+    const Constraint& constraint = model_.constraints[c];
     if (const std::vector<std::string> ids = companions_placed_by(constraint); !ids.empty()) {
       companions.insert(companions.end(), ids.begin(), ids.end());
       continue;
     }
     Clash clash;
     clash.proven = clash.minimal = false;
-    clash.demands = {{Demand::Kind::kConstraint, c}};
-    clash.sentence = constraint.relation >= 0
+    clash.demands = {Demand::of(c)};
+    clash.sentence = constraint.relation.exists()
                          ? fmt::format("no layout was found that holds all that was asked for and in which {}",
-                                       relation_in_words(model_, scene().relations[static_cast<std::size_t>(constraint.relation)]))
+                                       relation_in_words(model_, model_.relation(constraint.relation)))
                          : fmt::format("no layout was found that holds all that was asked for and leaves the {} free", constraint.name);
     LAYOUTBOX_CHECK(give_up(clash));
   }
@@ -101,7 +100,7 @@ bool Solver::is_asked(int item) const { return model_.items[item].is_opening() |
 // Too much for the floor as long as that before doors and windows stays free, and nobody's words ask for that: it does not where all that
 // was asked for finds a place on it. Where it is too little even so, an object has to go, and then the rest leaves the floor free.
 bool Solver::floor_gives_way(const Clash& clash, const std::vector<int>& objects) {
-  const auto is_floor = [](const Demand& d) { return d.kind == Demand::Kind::kConstraint; };
+  const auto is_floor = [](const Demand& d) { return !d.is_item(); };
   if (asked_things_went() || !is_asked(objects.front()) || std::none_of(clash.demands.begin(), clash.demands.end(), is_floor)) return false;
   return search_without(Firmness::kImplied);
 }

@@ -20,14 +20,14 @@ Mm least_width(const Item& item) { return item.object->size->least.width; }
 
 // Relations without a single case: left of itself, in a thing that has no inside.
 void add_never(const PlacementModel& model, const Scope& scope, std::vector<Clash>& out) {
-  for (std::size_t c = 0; c < model.constraints.size(); ++c) {
+  for (const ConstraintId c : model.constraints.ids()) {
     const Constraint& constraint = model.constraints[c];
-    if (constraint.relation < 0 || constraint.firmness != Firmness::kHard || scope.gives_up(static_cast<int>(c))) continue;
+    if (!constraint.relation.exists() || constraint.firmness != Firmness::kHard || scope.gives_up(c)) continue;
     const auto never = [](const Formula& f) { return f.cases.empty() && f.exact; };
     if (std::none_of(constraint.formulas.begin(), constraint.formulas.end(), never)) continue;
     Clash clash;
-    clash.demands.push_back({Demand::Kind::kConstraint, static_cast<int>(c)});
-    clash.sentence = fmt::format("it can never be that {}", relation_in_words(model, model.scene->relations[constraint.relation]));
+    clash.demands.push_back(Demand::of(c));
+    clash.sentence = fmt::format("it can never be that {}", relation_in_words(model, model.relation(constraint.relation)));
     out.push_back(std::move(clash));
   }
 }
@@ -41,7 +41,7 @@ void add_too_large(const PlacementModel& model, const Scope& scope, std::vector<
     };
     if (std::any_of(item.states.begin(), item.states.end(), fits)) continue;
     Clash clash;
-    clash.demands.push_back({Demand::Kind::kItem, static_cast<int>(i)});
+    clash.demands.push_back(Demand::of_item(static_cast<int>(i)));
     clash.sentence = fmt::format("{} measures at least {} and does not fit into the room, which measures {}",
                                  object_in_words(model, static_cast<int>(i)), sizes_in_words(item), room_in_words(model));
     out.push_back(std::move(clash));
@@ -63,24 +63,25 @@ bool surely_fit(const PlacementModel& model, const std::vector<int>& items) {
 
 // What stands with its back to one wall because of a relation.
 struct AtWall {
-  int item, constraint;
+  int item;
+  ConstraintId constraint;
   Mm width;  // the least
 };
 
 // The relation that puts its targets at that wall and no other; null: that constraint is another or given up.
-const Relation* puts_at_wall(const PlacementModel& model, int constraint, int wall, const Scope& scope) {
-  const Constraint& one = model.constraints[static_cast<std::size_t>(constraint)];
-  if (one.relation < 0 || one.firmness != Firmness::kHard || scope.gives_up(constraint)) return nullptr;
-  const Relation& relation = model.scene->relations[one.relation];
+const Relation* puts_at_wall(const PlacementModel& model, ConstraintId constraint, WallId wall, const Scope& scope) {
+  const Constraint& one = model.constraints[constraint];
+  if (!one.relation.exists() || one.firmness != Firmness::kHard || scope.gives_up(constraint)) return nullptr;
+  const Relation& relation = model.relation(one.relation);
   return traits_of(relation.type).back_to_wall && relation.references.size() == 1 && model.find_wall(relation.references[0]) == wall
              ? &relation
              : nullptr;
 }
 
 // The widest first.
-std::vector<AtWall> things_at_wall(const PlacementModel& model, int wall, const Scope& scope) {
+std::vector<AtWall> things_at_wall(const PlacementModel& model, WallId wall, const Scope& scope) {
   std::vector<AtWall> things;
-  for (int c = 0; c < static_cast<int>(model.constraints.size()); ++c) {
+  for (const ConstraintId c : model.constraints.ids()) {
     const Relation* relation = puts_at_wall(model, c, wall, scope);
     if (relation == nullptr) continue;
     for (const std::string& id : relation->targets) {
@@ -101,8 +102,8 @@ Clash too_wide(const PlacementModel& model, const RoomWall& wall, const std::vec
   for (const AtWall& one : things) items.push_back(one.item);
   clash.minimal = surely_fit(model, items);  // else the room may be too small for them whatever the wall
   for (const AtWall& one : things) {
-    clash.demands.push_back({Demand::Kind::kItem, one.item});
-    const Demand relation{Demand::Kind::kConstraint, one.constraint};
+    clash.demands.push_back(Demand::of_item(one.item));
+    const Demand relation = Demand::of(one.constraint);
     if (std::find(clash.demands.begin(), clash.demands.end(), relation) == clash.demands.end()) clash.demands.push_back(relation);
     words.push_back(fmt::format("{} ({})", object_in_words(model, one.item), metres(one.width)));
   }
@@ -116,9 +117,9 @@ Clash too_wide(const PlacementModel& model, const RoomWall& wall, const std::vec
 
 // Backs against one wall side by side: the widths add up.
 void add_too_wide(const PlacementModel& model, const Scope& scope, std::vector<Clash>& out) {
-  for (std::size_t w = 0; w < model.walls.size(); ++w) {
+  for (const WallId w : model.walls.ids()) {
     const RoomWall& wall = model.walls[w];
-    std::vector<AtWall> things = things_at_wall(model, static_cast<int>(w), scope);
+    std::vector<AtWall> things = things_at_wall(model, w, scope);
     const auto length = static_cast<Mm>(std::ceil(std::hypot(wall.end.x - wall.start.x, wall.end.y - wall.start.y)));
     std::int64_t sum = 0;
     std::size_t needed = 0;
@@ -160,15 +161,15 @@ void add_too_much(const PlacementModel& model, const Scope& scope, std::vector<C
   for (const auto& [area, item] : areas) {
     if (sum + before_door > room) break;
     sum += area;
-    clash.demands.push_back({Demand::Kind::kItem, item});
+    clash.demands.push_back(Demand::of_item(item));
     items.push_back(item);
   }
   if (sum + before_door <= room) return;
   clash.minimal = false;  // by the sum alone: it says nothing of how the rest would fit
   std::string door_words;
   if (door >= 0) {
-    clash.demands.push_back({Demand::Kind::kItem, door});
-    clash.demands.push_back({Demand::Kind::kConstraint, model.items[door].clearance_constraint});
+    clash.demands.push_back(Demand::of_item(door));
+    clash.demands.push_back(Demand::of(model.items[door].clearance_constraint));
     door_words = fmt::format(", {} keeps {:.2f} m² free before it", object_in_words(model, door), static_cast<double>(before_door) / 1e6);
   }
   clash.sentence = fmt::format("{} cover{} at least {:.2f} m² of floor{}, and the room has {:.2f} m², {:.2f} m² less",

@@ -69,7 +69,7 @@ std::string plural_of(const std::string& name) {
 
 std::string reference_in_words(const PlacementModel& model, const std::string& id) {
   if (const int item = model.find_item(id); item >= 0) return object_in_words(model, item);
-  if (const int wall = model.find_wall(id); wall >= 0) return wall_in_words(model.walls[wall], model.walls.size() == 4);
+  if (const WallId wall = model.find_wall(id); wall.exists()) return wall_in_words(model.walls[wall], model.walls.size() == 4);
   return "the " + id;
 }
 
@@ -189,19 +189,19 @@ std::string describe_clash(const PlacementModel& model, const Clash& clash) {
   if (!clash.sentence.empty()) return clash.sentence;
   std::vector<std::string> relations, objects;
   for (const Demand& demand : clash.demands) {
-    if (demand.kind == Demand::Kind::kItem) {
-      const Item& item = model.items[demand.index];
+    if (demand.is_item()) {
+      const Item& item = model.items[demand.item];
       if (item.is_opening()) {
-        objects.push_back(fmt::format("{} ({} wide)", object_in_words(model, demand.index), metres(item.opening->width)));
+        objects.push_back(fmt::format("{} ({} wide)", object_in_words(model, demand.item), metres(item.opening->width)));
       } else {
-        objects.push_back(fmt::format("{} (at least {})", object_in_words(model, demand.index), sizes_in_words(item)));
+        objects.push_back(fmt::format("{} (at least {})", object_in_words(model, demand.item), sizes_in_words(item)));
       }
       continue;
     }
-    const Constraint& constraint = model.constraints[demand.index];
-    relations.push_back(constraint.relation >= 0    ? relation_in_words(model, model.scene->relations[constraint.relation])
-                        : !constraint.words.empty() ? constraint.words
-                                                    : clearance_in_words(model, constraint));
+    const Constraint& constraint = model.constraints[demand.constraint];
+    relations.push_back(constraint.relation.exists() ? relation_in_words(model, model.relation(constraint.relation))
+                        : !constraint.words.empty()  ? constraint.words
+                                                     : clearance_in_words(model, constraint));
   }
   const std::string room = fmt::format("the room, which measures {}", room_in_words(model));
   if (relations.empty() && !clash.proven) return fmt::format("no layout was found for {} together in {}", listed(objects), room);

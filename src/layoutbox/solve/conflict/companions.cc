@@ -67,8 +67,8 @@ bool Solver::is_companion(int item) const {
 
 // The things that came unasked for with what they stand by, where that is what the constraint says; else none.
 std::vector<std::string> Solver::companions_placed_by(const Constraint& constraint) const {
-  if (constraint.relation < 0) return {};
-  const Relation& relation = scene().relations[static_cast<std::size_t>(constraint.relation)];
+  if (!constraint.relation.exists()) return {};
+  const Relation& relation = model_.relation(constraint.relation);
   const auto came_in = [&](const std::string& id) {
     const SceneObject* object = scene().find_object(id);
     return object != nullptr && came(*object);

@@ -49,19 +49,19 @@ class Shrinking {
       : encoding_(encoding), library_(library), limits_(limits), used_(used), spoken_of_(encoding.demands().size()) {
     std::vector<int> demand_of(model.items.size(), -1);
     for (std::size_t d = 0; d < encoding.demands().size(); ++d) {
-      if (encoding.demands()[d].kind == Demand::Kind::kItem) demand_of[encoding.demands()[d].index] = static_cast<int>(d);
+      if (encoding.demands()[d].is_item()) demand_of[encoding.demands()[d].item] = static_cast<int>(d);
     }
     for (std::size_t d = 0; d < encoding.demands().size(); ++d) {
       const Demand& demand = encoding.demands()[d];
-      if (demand.kind == Demand::Kind::kItem) continue;
-      const Constraint& constraint = model.constraints[demand.index];
+      if (demand.is_item()) continue;
+      const Constraint& constraint = model.constraints[demand.constraint];
       for (const Formula& formula : constraint.formulas) {
         for (const int item : formula.items) {
           if (demand_of[item] >= 0) spoken_of_[d].push_back(static_cast<std::size_t>(demand_of[item]));
         }
       }
-      if (constraint.relation < 0) continue;
-      const Relation& relation = model.scene->relations[constraint.relation];
+      if (!constraint.relation.exists()) continue;
+      const Relation& relation = model.relation(constraint.relation);
       for (const auto* ids : {&relation.targets, &relation.references}) {
         for (const std::string& id : *ids) {
           if (const int item = model.find_item(id); item >= 0 && demand_of[item] >= 0)
@@ -79,7 +79,7 @@ class Shrinking {
     std::vector<char> mask = with_objects(core);
     for (const bool items : {false, true}) {
       for (std::size_t d = 0; d < mask.size() && !out_of_time(clash); ++d) {
-        if (!mask[d] || (encoding_.demands()[d].kind == Demand::Kind::kItem) != items) continue;
+        if (!mask[d] || (encoding_.demands()[d].is_item()) != items) continue;
         // Without an object that a relation speaks of that relation is not there either: only whether its size takes part is asked.
         const bool spoken_of = items && is_spoken_of(mask, d);
         mask[d] = 0;
@@ -158,13 +158,13 @@ std::vector<char> outside_of(const PlacementModel& model, const Encoding& encodi
   };
   for (const std::size_t d : core) {
     const Demand& demand = encoding.demands()[d];
-    if (demand.kind == Demand::Kind::kItem) {
-      out[demand.index] = 0;
+    if (demand.is_item()) {
+      out[demand.item] = 0;
       continue;
     }
-    for (const Formula& formula : model.constraints[demand.index].formulas) keep(formula.exact ? formula.cases : formula.outer);
+    for (const Formula& formula : model.constraints[demand.constraint].formulas) keep(formula.exact ? formula.cases : formula.outer);
     for (std::size_t i = 0; i < model.items.size(); ++i) {
-      if (model.items[i].clearance_constraint == demand.index) out[i] = 0;
+      if (model.items[i].clearance_constraint == demand.constraint) out[i] = 0;
     }
   }
   // And what could hold them up.
@@ -174,7 +174,7 @@ std::vector<char> outside_of(const PlacementModel& model, const Encoding& encodi
       if (out[i]) continue;
       for (const SupportOption& support : model.items[i].supports) {
         const bool item = support.kind == SupportOption::Kind::kItem || support.kind == SupportOption::Kind::kSill;
-        if (item && out[support.index]) out[support.index] = 0, more = true;
+        if (item && out[support.item]) out[support.item] = 0, more = true;
       }
     }
   }
@@ -212,8 +212,8 @@ constexpr std::size_t kMostForWholeProof = 12;  // items
 std::int64_t terms_of(const PlacementModel& model, const Scope& scope) {
   constexpr std::int64_t kSidesOfBody = 6;
   std::int64_t terms = 0;
-  for (std::size_t c = 0; c < model.constraints.size(); ++c) {
-    if (scope.gives_up(static_cast<int>(c)) || model.constraints[c].firmness == Firmness::kSoft) continue;
+  for (const ConstraintId c : model.constraints.ids()) {
+    if (scope.gives_up(c) || model.constraints[c].firmness == Firmness::kSoft) continue;
     for (const Formula& formula : model.constraints[c].formulas) {
       const auto out = [&](int item) { return scope.leaves_out(item); };
       if (std::any_of(formula.items.begin(), formula.items.end(), out)) continue;

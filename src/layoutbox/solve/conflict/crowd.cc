@@ -11,14 +11,17 @@ constexpr double kProofOfCrowd = 0.3;  // CP-SAT's deterministic time
 
 // The demands of a clash are all there is.
 Scope alone(const PlacementModel& model, const Clash& clash) {
-  Scope only{std::vector<char>(model.constraints.size(), 0), std::vector<char>(model.items.size(), 1)};
-  for (std::size_t c = 0; c < only.given_up.size(); ++c) {
+  Scope only{ById<ConstraintId, char>(model.constraints.size()), std::vector<char>(model.items.size(), 1)};
+  for (const ConstraintId c : only.given_up.ids()) {
     const Firmness firmness = model.constraints[c].firmness;
     only.given_up[c] = static_cast<char>(firmness == Firmness::kHard || firmness == Firmness::kImplied);
   }
   for (const Demand& demand : clash.demands) {
-    const auto index = static_cast<std::size_t>(demand.index);
-    (demand.kind == Demand::Kind::kItem ? only.left_out : only.given_up)[index] = 0;
+    if (demand.is_item()) {
+      only.left_out[static_cast<std::size_t>(demand.item)] = 0;
+    } else {
+      only.given_up[demand.constraint] = 0;
+    }
   }
   return only;
 }
@@ -31,11 +34,14 @@ bool Solver::each_is_needed(const Clash& clash) {
   const Scope all = alone(model_, clash);
   return std::all_of(clash.demands.begin(), clash.demands.end(), [&](const Demand& demand) {
     Scope rest = all;
-    const auto index = static_cast<std::size_t>(demand.index);
-    (demand.kind == Demand::Kind::kItem ? rest.left_out : rest.given_up)[index] = 1;
-    // Without the door there is no floor to be free before it.
-    if (demand.kind == Demand::Kind::kItem && model_.items[index].is_opening())
-      rest.given_up[static_cast<std::size_t>(model_.items[index].clearance_constraint)] = 1;
+    if (demand.is_item()) {
+      const auto index = static_cast<std::size_t>(demand.item);
+      rest.left_out[index] = 1;
+      // Without the door there is no floor to be free before it.
+      if (model_.items[index].is_opening()) rest.given_up[model_.items[index].clearance_constraint] = 1;
+    } else {
+      rest.given_up[demand.constraint] = 1;
+    }
     Placements placements(model_.items.size());
     Budget budget = part(kStepsForRest);
     return QuickSearch(model_, dependencies, rest, options_.seed, kAllSizes).complete(placements, budget);

@@ -9,7 +9,7 @@ constexpr Mm kAllowed = 5;  // rooms that somebody measured are no more exact th
 
 Clash clash_of(std::vector<int> items, std::string sentence) {
   Clash clash;
-  for (const int item : items) clash.demands.push_back({Demand::Kind::kItem, item});
+  for (const int item : items) clash.demands.push_back(Demand::of_item(item));
   clash.sentence = std::move(sentence);
   return clash;
 }

@@ -26,8 +26,8 @@ Result<bool> Solver::give_up_unproven(bool loose, const Placements& loosely) {
   if (search_from_elsewhere()) return true;
   if (!assumptions_left().empty()) {
     if (loose) placements_ = loosely;
-    const std::vector<int> left = assumptions_left();
-    const bool blocks_door = std::ranges::any_of(left, [&](int c) { return is_door_floor(c) && (!loose || is_missed(c)); });
+    const std::vector<ConstraintId> left = assumptions_left();
+    const bool blocks_door = std::ranges::any_of(left, [&](ConstraintId c) { return is_door_floor(c) && (!loose || is_missed(c)); });
     if (blocks_door && companions_are_in_the_way()) {
       LAYOUTBOX_CHECK(companions_make_way());
       return false;
@@ -86,50 +86,50 @@ Result<bool> Solver::settle() {
   budget.limit = budget.steps + 2 * kLeastSteps;
   search.improve(budget, kPatience);
   placements_ = search.placements();
-  std::vector<int> missed;
-  for (std::size_t c = 0; c < trial.constraints.size(); ++c) {
+  std::vector<ConstraintId> missed;
+  for (const ConstraintId c : trial.constraints.ids()) {
     const bool asked = model_.constraints[c].firmness == Firmness::kHard && !scope_.given_up[c];
-    if (asked && miss_of(trial, trial.constraints[c], placements_) != 0) missed.push_back(static_cast<int>(c));
+    if (asked && miss_of(trial, trial.constraints[c], placements_) != 0) missed.push_back(c);
   }
   keep_what_can_be(missed);
-  for (const int c : missed) {
+  for (const ConstraintId c : missed) {
     if (fallback_) break;
     Clash clash;
     clash.proven = clash.minimal = false;
-    clash.demands = {{Demand::Kind::kConstraint, c}};
-    const int relation = model_.constraints[static_cast<std::size_t>(c)].relation;
-    clash.sentence = relation < 0 ? std::string("no layout was found in which all relations hold together")
-                                  : fmt::format("no layout was found in which, beside all else, {}",
-                                                relation_in_words(model_, scene().relations[static_cast<std::size_t>(relation)]));
+    clash.demands = {Demand::of(c)};
+    const RelationId relation = model_.constraints[c].relation;
+    clash.sentence = relation.exists() ? fmt::format("no layout was found in which, beside all else, {}",
+                                                     relation_in_words(model_, model_.relation(relation)))
+                                       : std::string("no layout was found in which all relations hold together");
     LAYOUTBOX_CHECK(give_up(clash));
   }
   return true;
 }
 
 // Of what a layout misses, the weightiest first: is there another that holds it beside all that is held so far?
-void Solver::keep_what_can_be(std::vector<int>& missed) {
+void Solver::keep_what_can_be(std::vector<ConstraintId>& missed) {
   Scope scope = scope_;
-  for (const int c : missed) scope.given_up[static_cast<std::size_t>(c)] = 1;
-  const auto price = [&](int c) { return price_of(model_, {Demand::Kind::kConstraint, c}); };
-  std::stable_sort(missed.begin(), missed.end(), [&](int a, int b) { return price(a) > price(b); });
+  for (const ConstraintId c : missed) scope.given_up[c] = 1;
+  const auto price = [&](ConstraintId c) { return price_of(model_, Demand::of(c)); };
+  std::stable_sort(missed.begin(), missed.end(), [&](ConstraintId a, ConstraintId b) { return price(a) > price(b); });
   const Dependencies dependencies(model_);
   int tries = 0;
-  std::erase_if(missed, [&](int c) {
+  std::erase_if(missed, [&](ConstraintId c) {
     if (++tries > kMostKept || enough()) return false;
-    scope.given_up[static_cast<std::size_t>(c)] = 0;
+    scope.given_up[c] = 0;
     QuickSearch quick(model_, dependencies, scope, options_.seed, kAllSizes);
     Budget budget = part(kLeastSteps);
     Placements other(model_.items.size());
     const bool found = quick.complete(other, budget);
     if (found) placements_ = other;
-    if (!found) scope.given_up[static_cast<std::size_t>(c)] = 1;
+    if (!found) scope.given_up[c] = 1;
     return found;
   });
   std::sort(missed.begin(), missed.end());
 }
 
 bool Solver::demands_left(Firmness firmness) const {
-  for (std::size_t c = 0; c < model_.constraints.size(); ++c) {
+  for (const ConstraintId c : model_.constraints.ids()) {
     if (model_.constraints[c].firmness == firmness && !scope_.given_up[c]) return true;
   }
   return false;
@@ -139,7 +139,7 @@ bool Solver::demands_left(Firmness firmness) const {
 bool Solver::search_without(Firmness firmness) {
   if (!demands_left(firmness)) return false;
   Scope less = scope_;
-  for (std::size_t c = 0; c < model_.constraints.size(); ++c) less.given_up[c] |= model_.constraints[c].firmness == firmness;
+  for (const ConstraintId c : model_.constraints.ids()) less.given_up[c] |= model_.constraints[c].firmness == firmness;
   const std::vector<int> failed = failed_;
   const bool found = search(less);
   failed_ = failed;
@@ -151,8 +151,8 @@ Clash Solver::guess() const {
   Clash clash;
   clash.proven = clash.minimal = false;
   const auto asks = [&](int item) {
-    for (const int c : model_.touching[item]) {
-      if (model_.constraints[c].firmness == Firmness::kHard && !scope_.given_up[c]) clash.demands.push_back({Demand::Kind::kConstraint, c});
+    for (const ConstraintId c : model_.touching[item]) {
+      if (model_.constraints[c].firmness == Firmness::kHard && !scope_.given_up[c]) clash.demands.push_back(Demand::of(c));
     }
   };
   int item = -1;
@@ -163,13 +163,13 @@ Clash Solver::guess() const {
   }
   for (std::size_t i = 0; i < model_.items.size() && clash.demands.empty(); ++i) asks(item = static_cast<int>(i));
   if (item < 0) return clash;
-  clash.demands.push_back({Demand::Kind::kItem, item});
+  clash.demands.push_back(Demand::of_item(item));
   clash.sentence = fmt::format("no place was found for {} where all that is asked of it holds", object_in_words(model_, item));
   return clash;
 }
 
 // How far a relation would be missed if it alone were given up; more than any distance where that does not help.
-std::int64_t Solver::miss_without(int constraint) {
+std::int64_t Solver::miss_without(ConstraintId constraint) {
   PlacementModel trial = model_;
   trial.constraints[constraint].firmness = Firmness::kSoft;
   trial.constraints[constraint].weight *= kStillWished;
@@ -188,18 +188,18 @@ std::vector<Demand>::const_iterator Solver::cheapest_of(const Clash& clash) {
   const auto begin = clash.demands.begin(), end = clash.demands.end();
   const auto price = [&](const Demand& d) { return price_of(model_, d); };
   const auto cheapest = std::min_element(
-      begin, end, [&](const Demand& a, const Demand& b) { return std::pair(price(a), -a.index) < std::pair(price(b), -b.index); });
-  if (cheapest == end || cheapest->kind == Demand::Kind::kItem || options_.on_conflict != OnConflict::kRelax) return cheapest;
+      begin, end, [&](const Demand& a, const Demand& b) { return std::pair(price(a), -a.number()) < std::pair(price(b), -b.number()); });
+  if (cheapest == end || cheapest->is_item() || options_.on_conflict != OnConflict::kRelax) return cheapest;
   auto best = cheapest;
   std::int64_t least = -1;
   for (auto it = begin; it != end; ++it) {
-    if (price(*it) != price(*cheapest) || it->kind == Demand::Kind::kItem) continue;
+    if (price(*it) != price(*cheapest) || it->is_item()) continue;
     if (least < 0) {
       if (std::count_if(begin, end, [&](const Demand& d) { return price(d) == price(*cheapest); }) == 1) return cheapest;
-      least = miss_without(cheapest->index);
+      least = miss_without(cheapest->constraint);
     }
     if (it == cheapest) continue;
-    const std::int64_t miss = miss_without(it->index);
+    const std::int64_t miss = miss_without(it->constraint);
     if (miss < least) least = miss, best = it;
   }
   return best;
@@ -211,10 +211,10 @@ Result<bool> Solver::note_conflict(const Clash& clash, bool asked) {
   conflict.sentence = describe_clash(model_, clash);
   conflict.minimal = clash.minimal;
   for (const Demand& demand : clash.demands) {
-    if (demand.kind == Demand::Kind::kItem) {
-      conflict.objects.push_back(model_.items[demand.index].id);
+    if (demand.is_item()) {
+      conflict.objects.push_back(model_.items[demand.item].id);
     } else {
-      conflict.relations.push_back(model_.constraints[demand.index].name);
+      conflict.relations.push_back(model_.constraints[demand.constraint].name);
     }
   }
   conflicts_.push_back({conflict, asked});
@@ -234,17 +234,17 @@ Status Solver::give_up(const Clash& clash) {
   if (!objects.empty() && !floor_gives_way(clash, objects)) return leave_out_least(objects, &clash);
   const auto cheapest = cheapest_of(clash);
   if (cheapest == clash.demands.cend()) return fail(ErrorCode::kNotFound, "no layout was found, and nothing is left to give up");
-  const bool item = cheapest->kind == Demand::Kind::kItem;
-  const bool asked = item ? is_asked(cheapest->index) : !is_assumption(model_, model_.constraints[cheapest->index]);
+  const bool item = cheapest->is_item();
+  const bool asked = item ? is_asked(cheapest->item) : !is_assumption(model_, model_.constraints[cheapest->constraint]);
   LAYOUTBOX_ASSIGN(const bool relaxing, note_conflict(clash, asked));
   if (!relaxing) return {};
   if (!item) {
-    const std::vector<std::string> companions = companions_placed_by(model_.constraints[static_cast<std::size_t>(cheapest->index)]);
+    const std::vector<std::string> companions = companions_placed_by(model_.constraints[cheapest->constraint]);
     if (!companions.empty()) return leave_out_companions(companions);
   }
   const std::string& why = conflicts_.back().conflict.sentence;
-  if (item) return leave_out(cheapest->index, why);
-  relax(model_.constraints[cheapest->index].name, why);
+  if (item) return leave_out(cheapest->item, why);
+  relax(model_.constraints[cheapest->constraint].name, why);
   return {};
 }
 
@@ -257,7 +257,7 @@ Scope Solver::scope_in(const PlacementModel& model) const {
 
 // Given up, but still wished for.
 void Solver::soften(const std::string& name) {
-  for (std::size_t c = 0; c < model_.constraints.size(); ++c) {
+  for (const ConstraintId c : model_.constraints.ids()) {
     Constraint& constraint = model_.constraints[c];
     const bool demanded = constraint.firmness == Firmness::kHard || constraint.firmness == Firmness::kImplied;
     if (constraint.name != name || !demanded || scope_.given_up[c]) continue;

@@ -21,7 +21,7 @@ std::vector<char> all_beside(const PlacementModel& model, const Constraint& cons
   }
   for (std::size_t k = 0; k < kept.size(); ++k) {
     for (const SupportOption& support : model.items[static_cast<std::size_t>(kept[k])].supports) {
-      if (support.kind == SupportOption::Kind::kItem || support.kind == SupportOption::Kind::kSill) keep(support.index);
+      if (support.kind == SupportOption::Kind::kItem || support.kind == SupportOption::Kind::kSill) keep(support.item);
     }
   }
   return out;
@@ -30,11 +30,11 @@ std::vector<char> all_beside(const PlacementModel& model, const Constraint& cons
 }  // namespace
 
 // True: it was given up.
-Result<bool> Solver::give_up_impossible(int constraint, const Dependencies& dependencies) {
-  Scope alone{scope_.given_up, all_beside(model_, model_.constraints[static_cast<std::size_t>(constraint)])};
-  for (std::size_t c = 0; c < alone.given_up.size(); ++c) {
+Result<bool> Solver::give_up_impossible(ConstraintId constraint, const Dependencies& dependencies) {
+  Scope alone{scope_.given_up, all_beside(model_, model_.constraints[constraint])};
+  for (const ConstraintId c : alone.given_up.ids()) {
     const Firmness firmness = model_.constraints[c].firmness;
-    const bool other = static_cast<int>(c) != constraint && (firmness == Firmness::kHard || firmness == Firmness::kImplied);
+    const bool other = c != constraint && (firmness == Firmness::kHard || firmness == Firmness::kImplied);
     alone.given_up[c] = static_cast<char>(alone.given_up[c] || other);
   }
   Placements placements(model_.items.size());
@@ -49,11 +49,12 @@ Result<bool> Solver::give_up_impossible(int constraint, const Dependencies& depe
 // True: something was given up.
 Result<bool> Solver::give_up_impossible() {
   const Dependencies dependencies(model_);
-  for (std::size_t c = 0; c < model_.constraints.size() && !enough(); ++c) {
+  for (const ConstraintId c : model_.constraints.ids()) {
+    if (enough()) break;
     const Constraint& constraint = model_.constraints[c];
-    if (constraint.firmness != Firmness::kHard || constraint.relation < 0 || scope_.given_up[c]) continue;
+    if (constraint.firmness != Firmness::kHard || !constraint.relation.exists() || scope_.given_up[c]) continue;
     if (!looked_at_alone_.insert(constraint.name).second) continue;
-    LAYOUTBOX_ASSIGN(const bool given_up, give_up_impossible(static_cast<int>(c), dependencies));
+    LAYOUTBOX_ASSIGN(const bool given_up, give_up_impossible(c, dependencies));
     if (given_up) return true;
   }
   return false;

@@ -34,7 +34,7 @@ void Solver::drop_what_hangs_in_the_air() {
     again = false;
     for (std::size_t i = 0; i < model_.items.size(); ++i) {
       if (placements_[i].state < 0 || model_.items[i].is_opening() || model_.items[i].fixed) continue;
-      const auto& formulas = model_.constraints[static_cast<std::size_t>(model_.items[i].support_constraint)].formulas;
+      const auto& formulas = model_.constraints[model_.items[i].support_constraint].formulas;
       const bool held_up =
           std::all_of(formulas.begin(), formulas.end(), [&](const Formula& f) { return holds_of_placed(model_, f, placements_); });
       if (held_up) continue;
@@ -161,18 +161,18 @@ Status Solver::note_what_is_missing() {
   for (const int item : gone) {
     scope_.left_out[static_cast<std::size_t>(item)] = 1;
     asked = asked || is_asked(item);
-    if (!is_companion(item)) clash.demands.push_back({Demand::Kind::kItem, item});
+    if (!is_companion(item)) clash.demands.push_back(Demand::of_item(item));
     reasons_.push_back(
         {model_.items[static_cast<std::size_t>(item)].id, 0, "", object_in_words(model_, item) + " is left out: " + clash.sentence});
   }
   std::vector<std::string> missed;
-  for (std::size_t c = 0; c < model_.constraints.size(); ++c) {
+  for (const ConstraintId c : model_.constraints.ids()) {
     const Constraint& constraint = model_.constraints[c];
     if (constraint.firmness != Firmness::kHard || scope_.given_up[c]) continue;
     if (all_placed(constraint, placements_) && miss_of(model_, constraint, placements_) == 0) continue;
     missed.push_back(constraint.name);
     asked = asked || !is_assumption(model_, constraint);
-    clash.demands.push_back({Demand::Kind::kConstraint, static_cast<int>(c)});
+    clash.demands.push_back(Demand::of(c));
   }
   if (clash.demands.empty()) return {};
   LAYOUTBOX_ASSIGN(const bool relaxing, note_conflict(clash, asked));
@@ -185,7 +185,7 @@ Status Solver::note_what_is_missing() {
 // What is hard becomes a wish of the model; what need not hold in it.
 Scope Solver::all_wished(PlacementModel& trial) const {
   Scope scope = scope_;
-  for (std::size_t c = 0; c < trial.constraints.size(); ++c) {
+  for (const ConstraintId c : trial.constraints.ids()) {
     Constraint& constraint = trial.constraints[c];
     if (constraint.firmness != Firmness::kHard || scope.given_up[c]) continue;
     constraint.firmness = Firmness::kSoft;

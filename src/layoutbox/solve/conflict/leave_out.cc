@@ -63,8 +63,8 @@ std::vector<std::string> Solver::may_be_brought_back() const {
     for (const SceneObject& object : asked_.objects) {
       if (object.origin == Origin::kAdded && std::erase(asked, object.id) > 0) added.push_back(object.id);
     }
-    for (std::size_t c = 0; c < model_.constraints.size(); ++c) {
-      if (scope_.given_up[c] && is_door_floor(static_cast<int>(c))) added.clear();
+    for (const ConstraintId c : model_.constraints.ids()) {
+      if (scope_.given_up[c] && is_door_floor(c)) added.clear();
     }
   }
   // Where one went after the other there was no layout without the last: that is why it went.

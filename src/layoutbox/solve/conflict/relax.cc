@@ -19,9 +19,9 @@ constexpr std::int64_t kWeight = 10, kRank = 100, kRanks = 100;  // asked relati
 bool has(const std::vector<std::string>& ids, const std::string& id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); }
 
 const Relation* relation_of(const PlacementModel& model, const Demand& demand) {
-  if (demand.kind != Demand::Kind::kConstraint) return nullptr;
-  const int relation = model.constraints[demand.index].relation;
-  return relation < 0 ? nullptr : &model.scene->relations[relation];
+  if (demand.is_item()) return nullptr;
+  const RelationId relation = model.constraints[demand.constraint].relation;
+  return relation.exists() ? &model.relation(relation) : nullptr;
 }
 
 // Its place among those of its kind, from 0.
@@ -39,23 +39,23 @@ std::int64_t footprint(const Item& item) { return std::int64_t{item.states[0].ex
 }  // namespace
 
 std::int64_t price_of(const PlacementModel& model, const Demand& demand) {
-  if (demand.kind == Demand::Kind::kItem) {
-    const Item& item = model.items[demand.index];
+  if (demand.is_item()) {
+    const Item& item = model.items[demand.item];
     if (item.is_opening() || item.fixed || item.locked) return kFixed;
-    return kObjects[static_cast<int>(item.object->origin)] - kRank * std::min<std::int64_t>(rank_of(model, demand.index), kRanks);
+    return kObjects[static_cast<int>(item.object->origin)] - kRank * std::min<std::int64_t>(rank_of(model, demand.item), kRanks);
   }
   if (const Relation* relation = relation_of(model, demand))
     return kRelations[static_cast<int>(relation->origin)] + (relation->asked() ? kWeight * relation->weight : 0);
-  if (model.constraints[demand.index].firmness != Firmness::kImplied) return kLock;
+  if (model.constraints[demand.constraint].firmness != Firmness::kImplied) return kLock;
   const auto is_window = [&](const Item& item) {
-    return item.clearance_constraint == demand.index && item.opening->type == OpeningType::kWindow;
+    return item.clearance_constraint == demand.constraint && item.opening->type == OpeningType::kWindow;
   };
   return std::any_of(model.items.begin(), model.items.end(), is_window) ? kWindowFloor : kDoorFloor;
 }
 
 bool is_assumption(const PlacementModel& model, const Constraint& constraint) {
   if (constraint.firmness == Firmness::kImplied) return true;
-  return constraint.relation >= 0 && !model.scene->relations[static_cast<std::size_t>(constraint.relation)].asked();
+  return constraint.relation.exists() && !model.relation(constraint.relation).asked();
 }
 
 std::vector<int> least_missed_first(const PlacementModel& model, std::vector<int> items) {
@@ -72,7 +72,7 @@ std::vector<int> objects_to_blame(const PlacementModel& model, const Clash& clas
   std::vector<int> items;
   for (const Demand& demand : clash.demands) {
     if (relation_of(model, demand) != nullptr) return {};
-    if (demand.kind == Demand::Kind::kItem) items.push_back(demand.index);
+    if (demand.is_item()) items.push_back(demand.item);
   }
   return least_missed_first(model, std::move(items));
 }

@@ -70,10 +70,9 @@ Status Solver::note_crowd(const std::vector<Clash>& sums) {
   if (!crowd.minimal) return {};
   crowd_ = Conflict{{}, {}, describe_clash(model_, crowd), true};
   for (const Demand& demand : crowd.demands) {
-    const bool item = demand.kind == Demand::Kind::kItem;
+    const bool item = demand.is_item();
     (item ? crowd_->objects : crowd_->relations)
-        .push_back(item ? model_.items[static_cast<std::size_t>(demand.index)].id
-                        : model_.constraints[static_cast<std::size_t>(demand.index)].name);
+        .push_back(item ? model_.items[static_cast<std::size_t>(demand.item)].id : model_.constraints[demand.constraint].name);
   }
   return {};
 }
@@ -97,7 +96,7 @@ Result<bool> Solver::shed(const std::vector<Clash>& sums) {
   clash.minimal = false;
   const FloorSum floor = floor_sum(model_, scope_);
   clash.sentence = need_in_words(model_, floor);
-  for (const int item : floor.items) clash.demands.push_back({Demand::Kind::kItem, item});
+  for (const int item : floor.items) clash.demands.push_back(Demand::of_item(item));
   const bool asked = std::any_of(items.begin(), items.end(), [&](int i) { return is_asked(i); });
   LAYOUTBOX_CHECK(note_conflict(clash, asked));
   for (const int item : items) note_left_out(item, clash.sentence);

@@ -17,7 +17,7 @@ bool Solver::may_come_back(const std::string& name, const std::string& why) cons
 // True: there is a layout that holds it beside all that is held so far.
 bool Solver::take_back(const std::string& name) {
   Scope with = scope_;
-  for (std::size_t c = 0; c < with.given_up.size(); ++c) {
+  for (const ConstraintId c : with.given_up.ids()) {
     if (model_.constraints[c].name == name) with.given_up[c] = 0;
   }
   const Dependencies dependencies(model_);
@@ -25,7 +25,7 @@ bool Solver::take_back(const std::string& name) {
   Budget budget = part(kLeastSteps);
   // A wish is no demand to the search: for the question it is one again.
   const auto demand = [&](bool again) {
-    for (std::size_t c = 0; c < model_.constraints.size(); ++c) {
+    for (const ConstraintId c : model_.constraints.ids()) {
       Constraint& constraint = model_.constraints[c];
       if (constraint.name != name || constraint.firmness == Firmness::kImplied) continue;
       constraint.firmness = again ? Firmness::kHard : Firmness::kSoft;
@@ -45,10 +45,10 @@ bool Solver::take_back(const std::string& name) {
 void Solver::take_back() {
   if (relaxed_.empty() || !model_.start.empty() || must_stop()) return;
   const auto price = [&](const std::string& name) -> std::int64_t {
-    for (std::size_t c = 0; c < model_.constraints.size(); ++c) {
+    for (const ConstraintId c : model_.constraints.ids()) {
       const Constraint& constraint = model_.constraints[c];
-      const bool lock = constraint.firmness != Firmness::kImplied && constraint.relation < 0;
-      if (constraint.name == name) return lock ? 0 : price_of(model_, {Demand::Kind::kConstraint, static_cast<int>(c)});
+      const bool lock = constraint.firmness != Firmness::kImplied && !constraint.relation.exists();
+      if (constraint.name == name) return lock ? 0 : price_of(model_, Demand::of(c));
     }
     return 0;
   };

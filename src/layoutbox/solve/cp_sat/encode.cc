@@ -9,20 +9,20 @@ Encoding::Encoding(const PlacementModel& model, const Scope& scope, Purpose purp
   for (int i = 0; i < count; ++i) {
     if (!scope.leaves_out(i)) add_item(i);
   }
-  for (std::size_t c = 0; c < model.constraints.size(); ++c) {
+  for (const ConstraintId c : model.constraints.ids()) {
     const Constraint& constraint = model.constraints[c];
     const bool soft = constraint.firmness == Firmness::kSoft;
-    if (soft || scope.gives_up(static_cast<int>(c))) continue;
+    if (soft || scope.gives_up(c)) continue;
     if (constraint.firmness == Firmness::kAlways) continue;  // added with its item
     const CpLiteral literal = cp_.add_boolean();
-    demands_.push_back({Demand::Kind::kConstraint, static_cast<int>(c)});
+    demands_.push_back(Demand::of(c));
     demand_literals_.push_back(literal);
-    add_constraint(static_cast<int>(c), literal);
+    add_constraint(c, literal);
   }
   for (int i = 0; i < count; ++i) {
     if (!items_[i].used) continue;
     add_constraint(model.items[i].support_constraint, items_[i].present);
-    if (model.items[i].within_constraint >= 0) add_constraint(model.items[i].within_constraint, items_[i].present);
+    if (model.items[i].within_constraint.exists()) add_constraint(model.items[i].within_constraint, items_[i].present);
     add_outside(i);
     for (int j = i + 1; j < count; ++j) {
       if (items_[j].used) add_pair(i, j);
@@ -35,7 +35,7 @@ void Encoding::add_item(int index) {
   ItemVariables& v = items_[index];
   v.used = true;
   v.present = cp_.add_boolean();
-  demands_.push_back({Demand::Kind::kItem, index});
+  demands_.push_back(Demand::of_item(index));
   demand_literals_.push_back(v.present);
   for (int k = 0; k < 3; ++k) {
     const Mm low = item.fixed ? item.fixed_at[k] : model_.room.lo[k];
@@ -115,8 +115,8 @@ void Encoding::require_present(const Case& one, CpLiteral when) {
   }
 }
 
-void Encoding::add_constraint(int index, CpLiteral when) {
-  for (const Formula& formula : model_.constraints[index].formulas) {
+void Encoding::add_constraint(ConstraintId constraint, CpLiteral when) {
+  for (const Formula& formula : model_.constraints[constraint].formulas) {
     // What is left out can neither break nor keep a relation.
     const auto is_there = [&](const Case& one) {
       const auto used = [&](int item) { return items_[item].used; };
@@ -135,14 +135,14 @@ void Encoding::add_constraint(int index, CpLiteral when) {
     if (cases.size() < all.size() && (cases.empty() || outer)) continue;
     if (cases.size() == 1) {
       add_case(*cases[0], std::array{when});
-      if (model_.constraints[index].firmness == Firmness::kAlways) require_present(*cases[0], when);
+      if (model_.constraints[constraint].firmness == Firmness::kAlways) require_present(*cases[0], when);
       continue;
     }
     std::vector<CpLiteral> chosen;
     for (const Case* one : cases) {
       chosen.push_back(cp_.add_boolean());
       add_case(*one, std::array{chosen.back()});
-      if (model_.constraints[index].firmness == Firmness::kAlways) require_present(*one, chosen.back());  // only what is there holds
+      if (model_.constraints[constraint].firmness == Firmness::kAlways) require_present(*one, chosen.back());  // only what is there holds
     }
     cp_.add_or(chosen, std::array{when});
   }

@@ -18,8 +18,13 @@ inline constexpr std::int64_t kNoBound = std::numeric_limits<std::int64_t>::max(
 
 // What can be asked to hold or not: a constraint of the model or the presence of an item.
 struct Demand {
-  enum class Kind { kConstraint, kItem } kind = Kind::kConstraint;
-  int index = 0;
+  ConstraintId constraint;
+  int item = -1;  // where there is no constraint
+
+  static Demand of(ConstraintId constraint) { return {constraint, -1}; }
+  static Demand of_item(int item) { return {{}, item}; }
+  bool is_item() const { return !constraint.exists(); }
+  int number() const { return is_item() ? item : constraint.number(); }  // among those of its kind
   friend bool operator==(const Demand&, const Demand&) = default;
 };
 
@@ -58,7 +63,7 @@ class Encoding {
   };
 
   void add_item(int item);
-  void add_constraint(int constraint, CpLiteral when);
+  void add_constraint(ConstraintId constraint, CpLiteral when);
   void require_present(const Case& one, CpLiteral when);
   void add_case(const Case& one, std::span<const CpLiteral> when);
   void add_pair(int a, int b);

@@ -102,8 +102,8 @@ void Encoding::add_pair(int a, int b) {
   if (x.is_opening() || y.is_opening()) {
     const int opening = x.is_opening() ? a : b, body = x.is_opening() ? b : a;
     if (purpose_ == Purpose::kProving && model_.items[opening].odd_states) return;  // its box is more than what is to be free
-    const int clearance = model_.items[opening].clearance_constraint;
-    const auto demand = std::find(demands_.begin(), demands_.end(), Demand{Demand::Kind::kConstraint, clearance});
+    const ConstraintId clearance = model_.items[opening].clearance_constraint;
+    const auto demand = std::find(demands_.begin(), demands_.end(), Demand::of(clearance));
     if (demand == demands_.end()) return;
     when.push_back(demand_literals_[static_cast<std::size_t>(demand - demands_.begin())]);
     for (const std::vector<GridBox>& clear : parts_of(model_.items[opening], &State::clear, purpose_)) {

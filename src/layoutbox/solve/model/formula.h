@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "layoutbox/solve/model/geometry.h"
+#include "layoutbox/solve/model/ids.h"
 
 namespace layoutbox::placement {
 
@@ -108,8 +109,8 @@ enum class Firmness {
 
 // All formulas that one relation (or one rule of ours) stands for.
 struct Constraint {
-  std::string name;   // the relation's id, or what it is: "habit: sofa_1 back to wall"
-  int relation = -1;  // index in the scene's relations
+  std::string name;     // the relation's id, or what it is: "habit: sofa_1 back to wall"
+  RelationId relation;  // in the scene; none where it is a rule of ours
   Firmness firmness = Firmness::kHard;
   std::int32_t weight = 100;  // soft: points per metre missed; hard: the price of giving it up
   std::vector<Formula> formulas;

@@ -1,6 +1,9 @@
 // What a model is put together from: its items, an object or an opening each.
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "layoutbox/solve/model/model.h"
 
 namespace layoutbox::placement {
@@ -21,8 +24,8 @@ RoomWall room_wall(const Wall& wall);
 int nearest_turn(double angle);
 
 Item object_item(const SceneGraph& scene, const SceneObject& object, const Catalog& catalog, const ModelOptions& options,
-                 const std::vector<RoomWall>& walls);
-Item opening_item(const Opening& opening, const Room& room, const std::vector<RoomWall>& walls);
+                 std::span<const RoomWall> walls);
+Item opening_item(const Opening& opening, const Room& room, std::span<const RoomWall> walls);
 // How deep the floor before it is to be free: a door's is as deep as it is wide.
 Mm clear_depth(const Opening& opening);
 // Where an opening may be: in one of the walls it fits, where it is when that is given.

@@ -33,13 +33,13 @@ std::vector<int> items_of(const std::vector<Case>& cases) {
 
 void index_constraints(PlacementModel& model) {
   model.touching.assign(model.items.size(), {});
-  for (std::size_t c = 0; c < model.constraints.size(); ++c) {
+  for (const ConstraintId c : model.constraints.ids()) {
     std::set<int> items;
     for (Formula& formula : model.constraints[c].formulas) {
       formula.items = items_of(formula.cases);
       items.insert(formula.items.begin(), formula.items.end());
     }
-    for (const int item : items) model.touching[item].push_back(static_cast<int>(c));
+    for (const int item : items) model.touching[item].push_back(c);
   }
 }
 
@@ -49,7 +49,7 @@ Status add_relations(PlacementModel& model) {
     const Relation& relation = scene.relations[i];
     Constraint constraint;
     constraint.name = relation.id;
-    constraint.relation = static_cast<int>(i);
+    constraint.relation = RelationId(i);
     constraint.firmness = relation.hard ? Firmness::kHard : Firmness::kSoft;
     constraint.weight = relation.hard ? relation.weight : 4 * relation.weight;
     LAYOUTBOX_CHECK(compile_relation(model, relation, fmt::format("/constraints/{}", i), constraint));
@@ -86,9 +86,9 @@ int PlacementModel::find_item(std::string_view id) const {
   return -1;
 }
 
-int PlacementModel::find_wall(std::string_view id) const {
+WallId PlacementModel::find_wall(std::string_view id) const {
   const Wall* wall = scene->find_wall(id);
-  return wall ? static_cast<int>(wall - scene->room.walls.data()) : -1;
+  return wall ? WallId(static_cast<std::size_t>(wall - scene->room.walls.data())) : WallId();
 }
 
 bool PlacementModel::is_a(int item, std::string_view kind) const {
@@ -150,8 +150,8 @@ Result<PlacementModel> build_model(const SceneGraph& scene, const Catalog& catal
   for (const Wall& wall : scene.room.walls) model.walls.push_back(room_wall(wall));
   add_headings(model);
   model.off_limits = off_limits_of(model);
-  for (const SceneObject& object : scene.objects) model.items.push_back(object_item(scene, object, catalog, options, model.walls));
-  for (const Opening& opening : scene.room.openings) model.items.push_back(opening_item(opening, scene.room, model.walls));
+  for (const SceneObject& object : scene.objects) model.items.push_back(object_item(scene, object, catalog, options, model.walls.list()));
+  for (const Opening& opening : scene.room.openings) model.items.push_back(opening_item(opening, scene.room, model.walls.list()));
   for (Item& item : model.items) {
     add_spans(model, item);
     note_floor_use(item);
@@ -159,16 +159,13 @@ Result<PlacementModel> build_model(const SceneGraph& scene, const Catalog& catal
   }
   for (std::size_t i = 0; i < model.items.size(); ++i) {
     Item& item = model.items[i];
-    item.support_constraint = static_cast<int>(model.constraints.size());
-    model.constraints.push_back(item.is_opening() ? opening_place(model, static_cast<int>(i))
-                                                  : compile_support(model, static_cast<int>(i)));
+    item.support_constraint = model.constraints.push_back(item.is_opening() ? opening_place(model, static_cast<int>(i))
+                                                                            : compile_support(model, static_cast<int>(i)));
     if (!model.headings.empty() && !item.is_opening() && !item.fixed) {
-      item.within_constraint = static_cast<int>(model.constraints.size());
-      model.constraints.push_back(within_walls(model, static_cast<int>(i)));
+      item.within_constraint = model.constraints.push_back(within_walls(model, static_cast<int>(i)));
     }
     if (item.is_opening()) {
-      item.clearance_constraint = static_cast<int>(model.constraints.size());
-      model.constraints.push_back(opening_clearance(item));
+      item.clearance_constraint = model.constraints.push_back(opening_clearance(item));
     }
   }
   set_pair_rules(model);

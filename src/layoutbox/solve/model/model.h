@@ -41,7 +41,8 @@ struct ItemSpace {
 // Something an item can rest on or hang from; each is a case of its support constraint, in the same order.
 struct SupportOption {
   enum class Kind { kFloor, kCeiling, kWall, kItem, kSill } kind = Kind::kFloor;
-  int index = -1;      // wall or item
+  int item = -1;  // or opening
+  WallId wall;
   bool rests = false;  // on or in the item rather than hanging from it
 };
 
@@ -65,12 +66,12 @@ struct Item {
   // Where there are such: in each state eight constants about the turned footprint, from the low corner of its box: an upright box within
   // (low x, low y, high x, high y), then its four corners (x and y each).
   int footprint = -1;
-  int spans = -1;              // in rooms with slanted walls: how far it reaches along each of the model's headings
-  int within_constraint = -1;  // and the constraint that keeps it before them
+  int spans = -1;                  // in rooms with slanted walls: how far it reaches along each of the model's headings
+  ConstraintId within_constraint;  // and the constraint that keeps it before them
   std::vector<ItemSpace> spaces;
   std::vector<SupportOption> supports;
-  int support_constraint = -1;
-  int clearance_constraint = -1;  // openings: the implied constraint whose giving up frees their clear box
+  ConstraintId support_constraint;
+  ConstraintId clearance_constraint;  // openings: the implied constraint whose giving up frees their clear box
   bool is_opening() const { return opening != nullptr; }
   bool toppled = false;  // lies on its side: it is of no use, and so nothing that its kind is
   bool is(Trait trait) const { return entry != nullptr && !toppled && entry->is(trait); }
@@ -123,20 +124,21 @@ struct PlacementModel {
   std::vector<GridBox> outside;     // what of it is not room; before slanted walls a little more, in steps
   std::vector<GridBox> off_limits;  // the same, where no body may be; what is behind slanted walls is said by within_walls (slanted.h)
   std::vector<Heading> headings;    // along and across the slanted walls
-  std::vector<RoomWall> walls;
+  ById<WallId, RoomWall> walls;
   std::vector<Item> items;  // objects in the scene's order, then openings
-  std::vector<Constraint> constraints;
-  std::vector<std::vector<int>> touching;  // item → constraints that speak of it
-  std::vector<PairRule> pairs;             // items × items
-  const Layout* from = nullptr;            // the earlier layout that guides, if any
-  Placements start;                        // by item: where it had things; empty where there is none
+  ById<ConstraintId, Constraint> constraints;
+  std::vector<std::vector<ConstraintId>> touching;  // item → constraints that speak of it
+  std::vector<PairRule> pairs;                      // items × items
+  const Layout* from = nullptr;                     // the earlier layout that guides, if any
+  Placements start;                                 // by item: where it had things; empty where there is none
   // By kind: which items are one (-1: nobody asked yet). The catalogue looks each up by its name.
   mutable std::map<std::string, std::vector<signed char>, std::less<>> kinds;
 
   PairRule pair(int a, int b) const { return pairs[static_cast<std::size_t>(a) * items.size() + b]; }
   void set_pair(int a, int b, PairRule rule);
   int find_item(std::string_view id) const;  // −1: none
-  int find_wall(std::string_view id) const;  // index in `walls`, −1: none
+  WallId find_wall(std::string_view id) const;
+  const Relation& relation(RelationId id) const { return scene->relations[id.index()]; }
   bool is_a(int item, std::string_view kind) const;
 };
 

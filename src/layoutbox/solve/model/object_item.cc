@@ -115,7 +115,7 @@ std::vector<int> turns_of(const Item& item, const SceneObject& object, bool odd_
 }
 
 // The walls at which it may stand: those that somebody's words name, else all.
-std::vector<RoomWall> walls_for(const SceneGraph& scene, const std::string& id, const std::vector<RoomWall>& walls) {
+std::vector<RoomWall> walls_for(const SceneGraph& scene, const std::string& id, std::span<const RoomWall> walls) {
   std::vector<RoomWall> named;
   for (const Relation& r : scene.relations) {
     const bool at_wall = says_too(r.type, RelationType::kAgainstWall);
@@ -124,11 +124,11 @@ std::vector<RoomWall> walls_for(const SceneGraph& scene, const std::string& id, 
       if (std::find(r.references.begin(), r.references.end(), wall.id) != r.references.end()) named.push_back(wall);
     }
   }
-  return named.empty() ? walls : named;
+  return named.empty() ? std::vector<RoomWall>(walls.begin(), walls.end()) : named;
 }
 
 // Where walls are slanted, what has a front may have its back to them or look at them; what has none lies along or across them.
-void add_turns_at_walls(const Item& item, const std::vector<RoomWall>& walls, std::vector<double>& turns) {
+void add_turns_at_walls(const Item& item, std::span<const RoomWall> walls, std::vector<double>& turns) {
   if (item.fixed || item.locked || item.mount == Mount::kCeiling) return;
   if (!item.has_front && !item.thin && (item.is(Trait::kRound) || item.mount != Mount::kFloor)) return;
   const bool hangs = item.mount == Mount::kWall || item.mount == Mount::kHung;
@@ -238,7 +238,7 @@ bool lies_as_the_room(const SceneGraph& scene, const Item& item) {
 }
 
 Item object_item(const SceneGraph& scene, const SceneObject& object, const Catalog& catalog, const ModelOptions& options,
-                 const std::vector<RoomWall>& walls) {
+                 std::span<const RoomWall> walls) {
   Item item;
   item.id = object.id;
   item.object = &object;

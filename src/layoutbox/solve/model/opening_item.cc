@@ -103,7 +103,7 @@ RoomWall room_wall(const Wall& wall) {
 
 Mm clear_depth(const Opening& opening) { return opening.type == OpeningType::kWindow ? kWindowDepth : opening.width; }
 
-Item opening_item(const Opening& opening, const Room& room, const std::vector<RoomWall>& walls) {
+Item opening_item(const Opening& opening, const Room& room, std::span<const RoomWall> walls) {
   Item item;
   item.id = opening.id;
   item.opening = &opening;

@@ -48,7 +48,7 @@ void add_seats_by_riders(const PlacementModel& model, Pairs& pairs) {
     for (const SupportOption& support : model.items[i].supports) {
       if (support.kind != SupportOption::Kind::kItem || !model.items[i].is(Trait::kScreen)) continue;
       for (int seat = 0; seat < static_cast<int>(model.items.size()); ++seat) {
-        const auto at_host = std::pair{std::min(seat, support.index), std::max(seat, support.index)};
+        const auto at_host = std::pair{std::min(seat, support.item), std::max(seat, support.item)};
         const int rider = static_cast<int>(i);
         if (model.items[seat].is(Trait::kTableSeat) && pairs.contains(at_host)) more.insert({std::min(seat, rider), std::max(seat, rider)});
       }
@@ -76,7 +76,7 @@ Pairs close_pairs(const PlacementModel& model) {
     if (item.is_opening()) continue;
     for (std::size_t j = 0; item.is(Trait::kRoofSlope) && j < model.items.size(); ++j) add(static_cast<int>(i), static_cast<int>(j));
     for (const SupportOption& support : item.supports) {
-      if (support.kind == SupportOption::Kind::kItem) add(static_cast<int>(i), support.index);
+      if (support.kind == SupportOption::Kind::kItem) add(static_cast<int>(i), support.item);
     }
     for (std::size_t j = 0; j < model.items.size(); ++j) {
       const auto goes_with = [&](const std::string& kind) { return model.is_a(static_cast<int>(j), kind); };
@@ -106,11 +106,11 @@ void let_before_windows(PlacementModel& model) {
   for (std::size_t i = 0; i < model.items.size(); ++i) {
     for (const SupportOption& support : model.items[i].supports) {
       const int item = static_cast<int>(i);
-      if (support.kind == SupportOption::Kind::kSill) model.set_pair(item, support.index, PairRule::kFree);
+      if (support.kind == SupportOption::Kind::kSill) model.set_pair(item, support.item, PairRule::kFree);
       if (support.kind != SupportOption::Kind::kItem) continue;
       for (std::size_t w = 0; w < model.items.size(); ++w) {
         const Item& window = model.items[w];
-        if (window.is_opening() && window.opening->type == OpeningType::kWindow && asked_at_window(model, support.index, window))
+        if (window.is_opening() && window.opening->type == OpeningType::kWindow && asked_at_window(model, support.item, window))
           model.set_pair(item, static_cast<int>(w), PairRule::kFree);
       }
     }

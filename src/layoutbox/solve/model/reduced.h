@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "layoutbox/solve/model/geometry.h"
+#include "layoutbox/solve/model/formula.h"
 
 namespace layoutbox::placement {
 

@@ -4,20 +4,19 @@
 #include <cstddef>
 #include <vector>
 
+#include "layoutbox/solve/model/ids.h"
+
 namespace layoutbox::placement {
 
-// By index; what is past the end of a list is not in it.
+// What is past the end of a list is not in it.
 struct Scope {
-  std::vector<char> given_up;  // constraints: they need not hold
-  std::vector<char> left_out;  // items: not there at all; what speaks of them cannot hold
+  ById<ConstraintId, char> given_up;  // they need not hold
+  std::vector<char> left_out;         // by item: not there at all; what speaks of them cannot hold
 
-  bool gives_up(int constraint) const { return has(given_up, constraint); }
-  bool leaves_out(int item) const { return has(left_out, item); }
-
- private:
-  static bool has(const std::vector<char>& list, int index) {
-    const auto i = static_cast<std::size_t>(index);  // −1, which is none, is past the end
-    return i < list.size() && list[i] != 0;
+  bool gives_up(ConstraintId constraint) const { return given_up.has(constraint) && given_up[constraint] != 0; }
+  bool leaves_out(int item) const {
+    const auto i = static_cast<std::size_t>(item);  // −1, which is none, is past the end
+    return i < left_out.size() && left_out[i] != 0;
   }
 };
 

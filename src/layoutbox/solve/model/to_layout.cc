@@ -12,7 +12,7 @@ namespace {
 // It speaks of something that is not there.
 bool option_missing(const SupportOption& option, const Placements& placements) {
   const bool other = option.kind == SupportOption::Kind::kItem || option.kind == SupportOption::Kind::kSill;
-  return other && placements[option.index].state < 0;
+  return other && placements[option.item].state < 0;
 }
 
 // Do the scene's words say that it is held by that?
@@ -30,8 +30,8 @@ std::string name_of_support(const PlacementModel& model, const SupportOption& op
   switch (option.kind) {
     case SupportOption::Kind::kFloor: return "floor";
     case SupportOption::Kind::kCeiling: return "ceiling";
-    case SupportOption::Kind::kWall: return model.walls[option.index].id;
-    default: return model.items[option.index].id;
+    case SupportOption::Kind::kWall: return model.walls[option.wall].id;
+    default: return model.items[option.item].id;
   }
 }
 
@@ -73,11 +73,11 @@ bool support_agrees(const PlacementModel& model, const Relation& relation, const
       });
     case RelationType::kOnWall:
       return std::all_of(targets.begin(), targets.end(), [&](const std::string& t) {
-        const int holder = model.find_wall(holder_of(t));
+        const WallId holder = model.find_wall(holder_of(t));
         const auto is_holder = [&](const std::string& r) { return model.find_wall(r) == holder; };
         const auto& named = relation.references;
-        const bool any = std::all_of(named.begin(), named.end(), [&](const std::string& r) { return model.find_wall(r) < 0; });
-        return holder >= 0 && (any || std::any_of(named.begin(), named.end(), is_holder));
+        const bool any = std::all_of(named.begin(), named.end(), [&](const std::string& r) { return !model.find_wall(r).exists(); });
+        return holder.exists() && (any || std::any_of(named.begin(), named.end(), is_holder));
       });
     case RelationType::kStacked:
       for (std::size_t i = 1; i < targets.size(); ++i) {
@@ -183,11 +183,11 @@ Layout to_layout(const PlacementModel& model, const Placements& placements) {
     }
   }
   for (const Constraint& constraint : model.constraints) {
-    if (constraint.relation < 0) continue;
+    if (!constraint.relation.exists()) continue;
     const bool placed = all_placed(constraint, placements);
     const bool reached = std::all_of(constraint.reach.begin(), constraint.reach.end(),
                                      [&](const auto& r) { return reachable(model, r.first, r.second, placements); });
-    const Relation& relation = scene.relations[constraint.relation];
+    const Relation& relation = model.relation(constraint.relation);
     const bool held = placed && reached && miss_of(model, constraint, placements) == 0 && support_agrees(model, relation, layout);
     layout.relations.push_back({relation, held});
   }

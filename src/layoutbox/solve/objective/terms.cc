@@ -32,18 +32,20 @@ constexpr std::array<Account, 3> kWishAccounts{{{"habits"}, {"relations"}, {"sta
 enum WishAccount : std::size_t { kOfHabits, kOfRelations, kOfStaying };
 
 std::size_t account_of_wish(const PlacementModel& model, std::size_t index) {
-  const Constraint& constraint = model.constraints[index];
+  const Constraint& constraint = model.constraints[ConstraintId(index)];
   if (constraint.stay || !constraint.words.empty()) return kOfStaying;
-  return constraint.relation < 0 ? kOfHabits : kOfRelations;
+  return !constraint.relation.exists() ? kOfHabits : kOfRelations;
 }
 
 std::int64_t evaluate_wish(const PlacementModel& model, std::size_t constraint, const Placements& placements, std::int64_t) {
-  return constraint_cost(model, model.constraints[constraint], placements);
+  return constraint_cost(model, model.constraints[ConstraintId(constraint)], placements);
 }
 
 void touched_wishes(const PlacementModel& model, const Change& change, Shares& shares) {
   shares.clear();
-  for (const int item : change.moved) shares.insert(shares.end(), model.touching[item].begin(), model.touching[item].end());
+  for (const int item : change.moved) {
+    for (const ConstraintId c : model.touching[item]) shares.push_back(c.index());
+  }
   std::sort(shares.begin(), shares.end());
   shares.erase(std::unique(shares.begin(), shares.end()), shares.end());
 }

@@ -76,8 +76,8 @@ Placement start_of(const Item& item, const Pose& pose) {
 // Where an opening whose place the scene leaves open was.
 Placement start_of_opening(const PlacementModel& model, const Item& item, const Opening& earlier) {
   Placement start;
-  const int w = model.find_wall(earlier.wall);
-  if (w < 0 || !earlier.offset) return start;
+  const WallId w = model.find_wall(earlier.wall);
+  if (!w.exists() || !earlier.offset) return start;
   const RoomWall& wall = model.walls[w];
   const std::uint64_t states = wall.straight ? item.states_at(wall.turn) : 0;
   for (std::size_t s = 0; s < item.states.size() && start.state < 0; ++s) {
@@ -93,7 +93,7 @@ Placement start_of_opening(const PlacementModel& model, const Item& item, const 
 int earlier_host(const PlacementModel& model, int index) {
   const PlacedObject* earlier = model.from ? model.from->find_object(model.items[index].id) : nullptr;
   const int host = earlier ? model.find_item(earlier->supported_by) : -1;
-  const auto rests_on_it = [&](const SupportOption& s) { return s.kind == SupportOption::Kind::kItem && s.index == host; };
+  const auto rests_on_it = [&](const SupportOption& s) { return s.kind == SupportOption::Kind::kItem && s.item == host; };
   const auto& supports = model.items[index].supports;
   return host >= 0 && std::any_of(supports.begin(), supports.end(), rests_on_it) ? host : -1;
 }
@@ -166,12 +166,12 @@ void add_lock(PlacementModel& model, int index) {
   model.constraints.push_back(std::move(lock));
 }
 
-int lock_of(const PlacementModel& model, int item) {
-  for (const int c : model.touching[item]) {
+ConstraintId lock_of(const PlacementModel& model, int item) {
+  for (const ConstraintId c : model.touching[item]) {
     if (model.constraints[c].words.empty() || model.constraints[c].firmness != Firmness::kHard) continue;
     if (model.constraints[c].name == "lock of " + model.items[item].id) return c;
   }
-  return -1;
+  return {};
 }
 
 }  // namespace
@@ -282,8 +282,8 @@ std::vector<Clash> clashes_of_locks(const PlacementModel& model, const Scope& sc
   };
   const auto stays = [&](std::size_t i) {
     const Item& item = model.items[i];
-    const int lock = item.locked ? lock_of(model, static_cast<int>(i)) : -1;
-    return !item.is_opening() && !scope.leaves_out(static_cast<int>(i)) && (item.fixed || (lock >= 0 && !scope.gives_up(lock)));
+    const ConstraintId lock = item.locked ? lock_of(model, static_cast<int>(i)) : ConstraintId();
+    return !item.is_opening() && !scope.leaves_out(static_cast<int>(i)) && (item.fixed || (lock.exists() && !scope.gives_up(lock)));
   };
   const auto beyond_walls = [&](std::size_t i) {
     Placements alone(model.items.size());
@@ -292,13 +292,13 @@ std::vector<Clash> clashes_of_locks(const PlacementModel& model, const Scope& sc
   };
   for (std::size_t i = 0; i < model.items.size(); ++i) {
     if (!stays(i) || model.items[i].fixed) continue;
-    const Demand lock{Demand::Kind::kConstraint, lock_of(model, static_cast<int>(i))};
+    const Demand lock = Demand::of(lock_of(model, static_cast<int>(i)));
     const std::string who = object_in_words(model, static_cast<int>(i));
     const GridBox box = box_of(model.items[i], at_of(i));
     const GridBox inside = intersection(box, model.room);
     const bool in_obstacle =
         std::any_of(model.off_limits.begin(), model.off_limits.end(), [&](const GridBox& o) { return overlap(o, box); });
-    const bool behind_wall = model.items[i].within_constraint >= 0 && beyond_walls(i);
+    const bool behind_wall = model.items[i].within_constraint.exists() && beyond_walls(i);
     if (!(inside == box) || in_obstacle || behind_wall) {
       Clash clash;
       clash.demands = {lock};
@@ -311,7 +311,7 @@ std::vector<Clash> clashes_of_locks(const PlacementModel& model, const Scope& sc
       if (!collide(model, static_cast<int>(i), at_of(i), static_cast<int>(j), at_of(j), true)) continue;
       Clash clash;
       clash.demands = {lock};
-      if (!model.items[j].fixed) clash.demands.push_back({Demand::Kind::kConstraint, lock_of(model, static_cast<int>(j))});
+      if (!model.items[j].fixed) clash.demands.push_back(Demand::of(lock_of(model, static_cast<int>(j))));
       const GridBox shared = intersection(box, box_of(model.items[j], at_of(j)));
       clash.sentence = fmt::format("{} and {} are both to stay where they are, and overlap there by {:.2f} × {:.2f} m", who,
                                    object_in_words(model, static_cast<int>(j)), shared.extent(0) / 1000.0, shared.extent(1) / 1000.0);

@@ -19,27 +19,26 @@ void Habits::sit_on_host(int item) {
   const bool screen = self.is(Trait::kScreen);
   for (const SupportOption& support : self.supports) {
     if (support.kind != SupportOption::Kind::kItem) continue;
-    const Item& host = model_.items[support.index];
-    const std::optional<Spot> spot = screen ? spot_of_screen(item, support.index) : spot_on(item, support.index);
-    const int user = self.is(Trait::kMonitor) ? seat_told_to_be_at(support.index, rank_of(item)) : -1;
+    const Item& host = model_.items[support.item];
+    const std::optional<Spot> spot = screen ? spot_of_screen(item, support.item) : spot_on(item, support.item);
+    const int user = self.is(Trait::kMonitor) ? seat_told_to_be_at(support.item, rank_of(item)) : -1;
     if (user >= 0) look_at_user(item, user);
     Formula f;
     for_each_turn(host, [&](int turn, std::uint64_t states) {
-      Case& c = f.add().when(support.index, states);
+      Case& c = f.add().when(support.item, states);
       // A till, a scale, a coffee machine are for who serves.
-      const bool for_staff = is_served_over(support.index);
-      const bool towards_seat = for_staff || (screen && (used_side(host) == Side::kBack || is_sat_behind(support.index)));
+      const bool for_staff = is_served_over(support.item);
+      const bool towards_seat = for_staff || (screen && (used_side(host) == Side::kBack || is_sat_behind(support.item)));
       if (self.has_front && user < 0) c.when(item, self.states_at((turn + (towards_seat ? 180 : 0)) % 360));
       const Direction back = side_direction(host, Side::kBack, turn), right = side_direction(host, Side::kRight, turn);
-      if (spot)
-        c.wish(mid2(item, right.axis) - mid2(support.index, right.axis) - Linear(right.sign * spot->right2), screen ? 80 : kSpot, 2);
+      if (spot) c.wish(mid2(item, right.axis) - mid2(support.item, right.axis) - Linear(right.sign * spot->right2), screen ? 80 : kSpot, 2);
       if (spot && spot->back2) {
-        c.wish(mid2(item, back.axis) - mid2(support.index, back.axis) - Linear(back.sign * *spot->back2), kSpot, 2);
+        c.wish(mid2(item, back.axis) - mid2(support.item, back.axis) - Linear(back.sign * *spot->back2), kSpot, 2);
       } else if (host.has_front) {
-        stand_at_back(c, item, support.index, back);
+        stand_at_back(c, item, support.item, back);
       }
     });
-    if (!lie_at_hand(item, support.index)) habit("sits", item, kSits, std::move(f), screen_before(item, support.index));
+    if (!lie_at_hand(item, support.item)) habit("sits", item, kSits, std::move(f), screen_before(item, support.item));
     return;
   }
 }
@@ -145,7 +144,7 @@ std::vector<int> Habits::screen_before(int item, int host) const {
 bool Habits::rests_on(int item, int host) const {
   const std::vector<SupportOption>& supports = model_.items[item].supports;
   return std::any_of(supports.begin(), supports.end(),
-                     [&](const SupportOption& s) { return s.kind == SupportOption::Kind::kItem && s.index == host; });
+                     [&](const SupportOption& s) { return s.kind == SupportOption::Kind::kItem && s.item == host; });
 }
 
 // The first such thing that stands on the host, or -1.

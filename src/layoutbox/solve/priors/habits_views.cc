@@ -63,9 +63,9 @@ int Habits::stand_of_screen(int screen) const {
   if (!self.is(Trait::kScreen) || self.mount != Mount::kSurface) return screen;
   int stand = -1;
   for (const SupportOption& support : self.supports) {
-    if (support.kind != SupportOption::Kind::kItem || support.index == stand) continue;
+    if (support.kind != SupportOption::Kind::kItem || support.item == stand) continue;
     if (stand >= 0) return screen;
-    stand = support.index;
+    stand = support.item;
   }
   const bool stands = stand >= 0 && model_.items[stand].mount == Mount::kFloor && model_.items[stand].entry->back_to_wall;
   // A TV stand looks for its sofa itself.

@@ -176,8 +176,8 @@ void Habits::stand_at_wall(int item) {
     c.wish(gap_towards(item, place_of(model_, wall), {wall.normal(), wall.inward}), kAtWall);
   };
   Formula f;
-  for (std::size_t i = 0; i < model_.walls.size(); ++i) {
-    const RoomWall &a = model_.walls[i], &b = model_.walls[(i + 1) % model_.walls.size()];
+  for (const WallId w : model_.walls.ids()) {
+    const RoomWall &a = model_.walls[w], &b = model_.walls[model_.walls.next(w)];
     if (!a.straight) {
       require_near_slanted_wall(f.add(), model_, item, a, 100);
       f.cases.back().price = 60;

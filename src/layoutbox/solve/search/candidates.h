@@ -51,7 +51,7 @@ class CandidateFinder {
                   std::vector<int>& hit) const;
 
   const Scope& scope() const { return regions_.scope(); }
-  bool enforced(int constraint) const { return regions_.enforced(constraint); }
+  bool enforced(ConstraintId constraint) const { return regions_.enforced(constraint); }
 
  private:
   struct Hunt;

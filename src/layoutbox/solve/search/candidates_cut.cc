@@ -117,7 +117,7 @@ void CandidateFinder::reduce_soft(const Placements& placements, const Case& one,
 void CandidateFinder::find_soft(const Placements& placements, int item, int state) {
   std::size_t used = 0;
   const auto known = [&](int other) { return other == item || placements[other].state >= 0; };
-  for (const int c : model_.touching[item]) {
+  for (const ConstraintId c : model_.touching[item]) {
     const Constraint& constraint = model_.constraints[c];
     if (constraint.firmness != Firmness::kSoft) continue;
     for (const Formula& formula : constraint.formulas) {

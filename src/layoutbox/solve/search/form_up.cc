@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/solve/objective/cost.h"
 #include "layoutbox/solve/search/search.h"
 
 namespace layoutbox::placement {
@@ -13,10 +14,10 @@ namespace {
 constexpr std::int64_t kStepsOfPlace = 10;
 
 // By formation, the constraints that say the places of its members.
-std::map<int, std::vector<int>> places_by_formation(const PlacementModel& model) {
-  std::map<int, std::vector<int>> places;
-  for (std::size_t c = 0; c < model.constraints.size(); ++c) {
-    if (model.constraints[c].formation >= 0) places[model.constraints[c].formation].push_back(static_cast<int>(c));
+std::map<int, std::vector<ConstraintId>> places_by_formation(const PlacementModel& model) {
+  std::map<int, std::vector<ConstraintId>> places;
+  for (const ConstraintId c : model.constraints.ids()) {
+    if (model.constraints[c].formation >= 0) places[model.constraints[c].formation].push_back(c);
   }
   return places;
 }
@@ -40,8 +41,8 @@ void meet(const Preference& wish, const Item& item, int index, Placement& placem
 }  // namespace
 
 // All members in the places that their constraints say for that way to look, where nothing else is yet; false: they cannot all be there.
-bool Search::form_from_nothing(const std::vector<int>& places, std::size_t way) {
-  for (const int place : places) {
+bool Search::form_from_nothing(const std::vector<ConstraintId>& places, std::size_t way) {
+  for (const ConstraintId place : places) {
     const Constraint& c = model_.constraints[place];
     if (way >= c.formulas[0].cases.size() || stays(model_.items[c.member])) return false;
     const Case& here = c.formulas[0].cases[way];
@@ -54,7 +55,7 @@ bool Search::form_from_nothing(const std::vector<int>& places, std::size_t way) 
     for (const Preference& wish : here.wishes) meet(wish, model_.items[c.member], c.member, placement);
     placements_[c.member] = placement;
   }
-  return std::ranges::all_of(places, [&](int place) {
+  return std::ranges::all_of(places, [&](ConstraintId place) {
     const int member = model_.constraints[place].member;
     return may_stay(member, placements_[member]);
   });
@@ -66,12 +67,12 @@ bool Search::form_all(std::size_t fewest, std::size_t way) {
   failed_.clear();
   bool any = false;
   for (const auto& [first, places] : places_by_formation(model_)) {
-    const auto is_gone = [&](int c) { return is_out(model_.constraints[c].member); };
+    const auto is_gone = [&](ConstraintId c) { return is_out(model_.constraints[c].member); };
     const std::size_t ways = model_.constraints[places[0]].formulas[0].cases.size();
     if (places.size() < fewest || ways == 0 || std::ranges::any_of(places, is_gone)) continue;
     const bool formed = form_from_nothing(places, way % ways);
     any |= formed;
-    for (const int c : places) {
+    for (const ConstraintId c : places) {
       if (!formed) placements_[model_.constraints[c].member] = {};
     }
   }
@@ -103,7 +104,7 @@ std::vector<int> Search::followers_of(int item, const std::vector<int>& members)
       if (known || placements_[tenant].state < 0 || model_.items[tenant].is_opening()) continue;
       const Item& other = model_.items[tenant];
       const bool rests = std::ranges::any_of(other.supports, [&](const SupportOption& support) {
-        return support.kind == SupportOption::Kind::kItem && support.index == group[i];
+        return support.kind == SupportOption::Kind::kItem && support.item == group[i];
       });
       const bool sits = other.mount == Mount::kFloor && (other.is(Trait::kSeat) || other.is(Trait::kEasySeat));
       if (rests || sits) group.push_back(tenant);
@@ -114,7 +115,7 @@ std::vector<int> Search::followers_of(int item, const std::vector<int>& members)
 }
 
 // One member in the place that its constraint says for that way to look. What hangs on it comes along, or, where it is turned, is loose.
-bool Search::step_into_place(int constraint, const Way& way, const std::vector<int>& members, std::vector<int>& moved,
+bool Search::step_into_place(ConstraintId constraint, const Way& way, const std::vector<int>& members, std::vector<int>& moved,
                              std::vector<int>& loose) {
   const Constraint& c = model_.constraints[constraint];
   const int index = c.member;
@@ -149,11 +150,11 @@ bool Search::step_into_place(int constraint, const Way& way, const std::vector<i
   return true;
 }
 
-bool Search::form_up(const std::vector<int>& places, const Way& way, Budget& budget) {
+bool Search::form_up(const std::vector<ConstraintId>& places, const Way& way, Budget& budget) {
   const Placements before = placements_;
   std::vector<int> members, moved, queue;
-  for (const int c : places) members.push_back(model_.constraints[c].member);
-  bool all = std::ranges::all_of(places, [&](int c) { return step_into_place(c, way, members, moved, queue); });
+  for (const ConstraintId c : places) members.push_back(model_.constraints[c].member);
+  bool all = std::ranges::all_of(places, [&](ConstraintId c) { return step_into_place(c, way, members, moved, queue); });
   for (const int item : queue) placements_[item] = {};
   std::vector<std::int64_t> price(model_.items.size(), kPoint);
   for (std::size_t i = 0; i < price.size(); ++i) {

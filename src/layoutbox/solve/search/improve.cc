@@ -22,7 +22,7 @@ std::vector<int> Search::load_of(int item) const {
     for (const int tenant : dependencies_.tenants[load[i]]) {
       if (placements_[tenant].state < 0 || stays(model_.items[tenant]) || std::ranges::find(load, tenant) != load.end()) continue;
       const bool rests = std::ranges::any_of(model_.items[tenant].supports, [&](const SupportOption& support) {
-        return support.kind == SupportOption::Kind::kItem && support.index == load[i];
+        return support.kind == SupportOption::Kind::kItem && support.item == load[i];
       });
       if (rests) load.push_back(tenant);
     }

@@ -8,7 +8,7 @@ namespace {
 
 bool may_rest_on(const Item& item, int host) {
   return std::any_of(item.supports.begin(), item.supports.end(),
-                     [&](const SupportOption& support) { return support.kind == SupportOption::Kind::kItem && support.index == host; });
+                     [&](const SupportOption& support) { return support.kind == SupportOption::Kind::kItem && support.item == host; });
 }
 
 std::vector<int> hosts_of(const PlacementModel& model, int item) {
@@ -17,15 +17,15 @@ std::vector<int> hosts_of(const PlacementModel& model, int item) {
     if (other != item && other >= 0 && std::find(found.begin(), found.end(), other) == found.end()) found.push_back(other);
   };
   for (const SupportOption& support : model.items[item].supports) {
-    if (support.kind == SupportOption::Kind::kItem || support.kind == SupportOption::Kind::kSill) add(support.index);
+    if (support.kind == SupportOption::Kind::kItem || support.kind == SupportOption::Kind::kSill) add(support.item);
   }
-  for (const int c : model.touching[item]) {
+  for (const ConstraintId c : model.touching[item]) {
     const Constraint& constraint = model.constraints[c];
     for (const int other : constraint.hosts) {  // a desk waits for no screen that the keyboard on it lies before
       if (!may_rest_on(model.items[other], item)) add(other);
     }
-    if (constraint.relation < 0) continue;
-    const Relation& relation = model.scene->relations[constraint.relation];
+    if (!constraint.relation.exists()) continue;
+    const Relation& relation = model.relation(constraint.relation);
     if (std::find(relation.targets.begin(), relation.targets.end(), model.items[item].id) == relation.targets.end()) continue;
     for (const std::string& id : relation.references) add(model.find_item(id));
   }
@@ -35,10 +35,10 @@ std::vector<int> hosts_of(const PlacementModel& model, int item) {
 // Hard relations that tie an item to things of another kind: of a row or grid, those go first and the others follow them.
 int anchors_of(const PlacementModel& model, int item) {
   int anchors = 0;
-  for (const int c : model.touching[item]) {
+  for (const ConstraintId c : model.touching[item]) {
     const Constraint& constraint = model.constraints[c];
-    if (constraint.relation < 0 || constraint.firmness != Firmness::kHard) continue;
-    const Relation& relation = model.scene->relations[constraint.relation];
+    if (!constraint.relation.exists() || constraint.firmness != Firmness::kHard) continue;
+    const Relation& relation = model.relation(constraint.relation);
     if (std::find(relation.targets.begin(), relation.targets.end(), model.items[item].id) == relation.targets.end()) continue;
     anchors += std::any_of(relation.references.begin(), relation.references.end(), [&](const std::string& id) {
       const int other = model.find_item(id);
@@ -73,10 +73,10 @@ std::vector<int> placing_order(const PlacementModel& model, const Dependencies& 
     const Vec3& e = item.states[0].extent;
     key.area = std::int64_t{e[0]} * e[1];
     bool at_wall_by_relation = false;
-    for (const int c : model.touching[i]) {
+    for (const ConstraintId c : model.touching[i]) {
       const Constraint& constraint = model.constraints[c];
-      if (constraint.relation < 0 || constraint.firmness != Firmness::kHard) continue;
-      at_wall_by_relation |= relation_row(model.scene->relations[constraint.relation].type).group == RelationGroup::kRoomGroup;
+      if (!constraint.relation.exists() || constraint.firmness != Firmness::kHard) continue;
+      at_wall_by_relation |= relation_row(model.relation(constraint.relation).type).group == RelationGroup::kRoomGroup;
     }
     if (stays(item)) {
       key.group = 0;

@@ -27,7 +27,7 @@ bool same_body(const State& a, const State& b) {
 std::vector<std::uint64_t> alike_states(const PlacementModel& model, const RegionFinder& regions, int item) {
   const std::vector<State>& states = model.items[item].states;
   std::vector<std::uint64_t> alike(states.size(), 0), masks;
-  for (const int c : model.touching[item]) {
+  for (const ConstraintId c : model.touching[item]) {
     if (!regions.enforced(c)) continue;
     for (const Formula& formula : model.constraints[c].formulas) {
       for (const Case& one : formula.cases) {

@@ -62,13 +62,13 @@ void RegionFinder::watch(Budget* budget) {
 
 // A formula with one case is a list of demands, each of which is looked at when the last thing it speaks of is placed: a grid of hundreds.
 void RegionFinder::share_out() {
-  for (std::size_t c = 0; c < model_.constraints.size(); ++c) {
-    if (!enforced(static_cast<int>(c))) continue;
+  for (const ConstraintId c : model_.constraints.ids()) {
+    if (!enforced(c)) continue;
     const std::vector<Formula>& formulas = model_.constraints[c].formulas;
     for (std::size_t f = 0; f < formulas.size(); ++f) {
       if (formulas[f].cases.size() != 1 || formulas[f].cases[0].at_least_zero.size() < kLongCase) continue;
       const Case& one = formulas[f].cases[0];
-      Shares& shares = shares_[{static_cast<int>(c), static_cast<int>(f)}];
+      Shares& shares = shares_[{c, static_cast<int>(f)}];
       shares.forms.resize(model_.items.size());
       shares.wishes.resize(model_.items.size());
       const auto note = [](const Linear& form, std::size_t number, std::vector<std::vector<int>>& by_item) {
@@ -93,7 +93,7 @@ bool RegionFinder::toil(std::size_t more) {
 // Something that must hold speaks of it and of something else.
 bool RegionFinder::is_linked(int item) const {
   if (model_.items[item].fixed) return false;
-  return std::any_of(model_.touching[item].begin(), model_.touching[item].end(), [&](int c) {
+  return std::any_of(model_.touching[item].begin(), model_.touching[item].end(), [&](ConstraintId c) {
     const auto& formulas = model_.constraints[c].formulas;
     return enforced(c) && std::any_of(formulas.begin(), formulas.end(), [](const Formula& f) { return f.items.size() > 1; });
   });
@@ -152,7 +152,7 @@ void RegionFinder::narrow_domains() {
   budget_->stopped = budget_->stopped || own.stopped;
 }
 
-bool RegionFinder::enforced(int constraint) const {
+bool RegionFinder::enforced(ConstraintId constraint) const {
   return !scope_.gives_up(constraint) && model_.constraints[constraint].firmness != Firmness::kSoft;
 }
 
@@ -206,7 +206,7 @@ std::vector<Reduced>& RegionFinder::next_pool() {
 const std::vector<Region>& RegionFinder::find(const Placements& placements, int item, int state, bool with_wishes) {
   pools_ = 0;
   regions_.clear();
-  for (const int c : model_.touching[item]) {
+  for (const ConstraintId c : model_.touching[item]) {
     if (!enforced(c)) continue;
     for (std::size_t f = 0; f < model_.constraints[c].formulas.size(); ++f) {
       const Formula& formula = model_.constraints[c].formulas[f];

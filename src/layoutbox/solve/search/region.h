@@ -32,7 +32,7 @@ class RegionFinder {
   void watch(Budget* budget);
 
   const Scope& scope() const { return scope_; }
-  bool enforced(int constraint) const;
+  bool enforced(ConstraintId constraint) const;
   // Is the constraint before the doors and windows given up for this opening?
   bool clearance_off(const Item& item) const { return scope_.gives_up(item.clearance_constraint); }
 
@@ -61,7 +61,7 @@ class RegionFinder {
   Scope scope_;
   int most_size_step_;
   std::vector<Domain> domains_;
-  std::map<std::pair<int, int>, Shares> shares_;  // of formulas with one long case, by constraint and formula
+  std::map<std::pair<ConstraintId, int>, Shares> shares_;  // of formulas with one long case, by constraint and formula
   Budget* budget_ = nullptr;
   bool narrowed_ = false;  // the domains, which takes time: not before there is a budget
   std::vector<std::vector<Reduced>>

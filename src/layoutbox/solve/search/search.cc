@@ -67,7 +67,7 @@ bool Search::is_free(int item, const Placement& placement) const {
 
 // The same of several where they stand; what they share is looked at once.
 bool Search::may_stay(const std::vector<int>& group, Budget& budget) const {
-  std::vector<int> constraints;
+  std::vector<ConstraintId> constraints;
   for (const int item : group) {
     budget.heed(static_cast<std::int64_t>(model_.items.size()));
     if (budget.stopped || !is_free(item, placements_[item])) return false;
@@ -76,7 +76,7 @@ bool Search::may_stay(const std::vector<int>& group, Budget& budget) const {
   std::ranges::sort(constraints);
   const auto repeated = std::ranges::unique(constraints);
   constraints.erase(repeated.begin(), repeated.end());
-  return std::ranges::all_of(constraints, [&](int c) {
+  return std::ranges::all_of(constraints, [&](ConstraintId c) {
     return !finder_.enforced(c) || std::ranges::all_of(model_.constraints[c].formulas, [&](const Formula& formula) {
       return !formula.cases.empty() && !(all_placed(formula, placements_) && miss_of(model_, formula, placements_) > 0);
     });
@@ -88,7 +88,7 @@ bool Search::may_stay(int item, const Placement& placement) const {
   if (!is_free(item, placement)) return false;
   Placements probe = placements_;
   probe[item] = placement;
-  for (const int c : model_.touching[item]) {
+  for (const ConstraintId c : model_.touching[item]) {
     if (!finder_.enforced(c)) continue;
     for (const Formula& formula : model_.constraints[c].formulas) {
       if (formula.cases.empty()) return false;

@@ -52,7 +52,7 @@ class Search {
   bool try_order(const std::vector<int>& order, std::int64_t noise, Budget& budget);
   std::vector<int> movable() const;
   std::vector<std::vector<int>> formations() const;
-  bool form_from_nothing(const std::vector<int>& places, std::size_t way);
+  bool form_from_nothing(const std::vector<ConstraintId>& places, std::size_t way);
   bool form_all(std::size_t fewest, std::size_t way);
   bool try_start(const std::vector<int>& order, Budget& budget);
   // Which case of its places a formation takes, and how far off them all of it stands.
@@ -60,8 +60,9 @@ class Search {
     std::size_t looking = 0;
     std::array<Mm, 2> off{};
   };
-  bool form_up(const std::vector<int>& places, const Way& way, Budget& budget);
-  bool step_into_place(int constraint, const Way& way, const std::vector<int>& members, std::vector<int>& moved, std::vector<int>& loose);
+  bool form_up(const std::vector<ConstraintId>& places, const Way& way, Budget& budget);
+  bool step_into_place(ConstraintId constraint, const Way& way, const std::vector<int>& members, std::vector<int>& moved,
+                       std::vector<int>& loose);
   std::vector<int> followers_of(int item, const std::vector<int>& members) const;
   bool slide(int item, Budget& budget);
   bool push_away(std::vector<int>& moved, std::vector<int> in_way, const std::vector<std::int64_t>& price);
