@@ -7,7 +7,7 @@
 #include "layoutbox/base/words.h"
 #include "layoutbox/furnish/decor_data.h"
 #include "layoutbox/furnish/palette.h"
-#include "layoutbox/furnish/room_colors.h"
+#include "layoutbox/furnish/room_look.h"
 
 namespace layoutbox {
 namespace {
@@ -184,6 +184,30 @@ void take_shell(Decor& decor, const Json& style) {
   decor.window = style.value("window", decor.window);
 }
 
+// The colours and woods that the text says of the whole room; what it does not want gives way.
+void take_room_look(Decor& decor, RoomLook said, const std::string& kind, bool dark) {
+  const auto is_unwanted = [&](const Color& color) {
+    return std::ranges::any_of(said.unwanted, [&](const Color& other) { return is_much_like(color, other); });
+  };
+  decor.woods_said = !said.woods.empty();
+  if (decor.woods_said) decor.woods = said.woods;
+  decor.all = said.all;
+  if (!said.colors.empty()) {
+    constexpr double kDarkened = 0.55;
+    decor.wall = dark ? mixed(said.colors.front(), decor.wall, kDarkened) : wall_of(said.colors);
+    if (lists(decor_data().at("colored_fronts").get<std::string>(), kind))
+      decor.parts.emplace("fronts", PartLook{{said.colors.front()}, nullptr});
+    decor.accents = std::move(said.colors);
+    decor.colors_said = true;
+    return;
+  }
+  std::erase_if(decor.accents, is_unwanted);
+  if (!is_unwanted(decor.wall)) return;
+  for (const Json& wall : decor_data().at("walls")) {
+    if (!is_unwanted(color_of(wall))) decor.wall = color_of(wall);
+  }
+}
+
 // The name of the floor's surface, so that the furniture can differ from it.
 std::string floor_name(const std::string& asked) {
   const SurfaceWish wish = read_wish(asked);
@@ -247,14 +271,7 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
   take_conditions(decor, layout.prompt);
   decor.shelves_said = shelves_said(layout.prompt);
   decor.parts = part_looks(layout.prompt);
-  if (std::vector<Color> said = room_colors(layout.prompt); !said.empty()) {
-    constexpr double kDarkened = 0.55;
-    const bool dark = style != nullptr && style == &decor_data().at("moods").at("dark");
-    decor.wall = dark ? mixed(said.front(), decor.wall, kDarkened) : wall_of(said);
-    if (lists(decor_data().at("colored_fronts").get<std::string>(), kind)) decor.parts.emplace("fronts", PartLook{{said.front()}, nullptr});
-    decor.accents = std::move(said);
-    decor.colors_said = true;
-  }
+  take_room_look(decor, room_look(layout.prompt), kind, style == &decor_data().at("moods").at("dark"));
   if (const auto accents = decor.parts.find("accents"); accents != decor.parts.end() && !accents->second.colors.empty())
     decor.accents = accents->second.colors;
   return decor;

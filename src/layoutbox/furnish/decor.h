@@ -24,6 +24,8 @@ struct Decor {
   std::map<std::string, std::string, std::less<>> shelves_said;  // contents by the word for what holds them ("shelf": "toys")
   bool parapet = false;      // out of doors: walls that nothing is let into are no higher than a railing
   bool colors_said = false;  // the accents are the text's own
+  bool woods_said = false;   // the woods are the text's own
+  bool all = false;          // the furniture as well has these colours and woods, where nothing was said of it
   std::string cases;         // what lies in glass cases of which nothing was said; empty: nothing
   std::string shelves;       // what stands on a shelf of which nothing was said ("goods", "towels"); empty: books
   std::string pictures;      // what pictures show in rooms of this kind ("child", "chart"); empty: landscapes and compositions

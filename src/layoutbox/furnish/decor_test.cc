@@ -1,4 +1,5 @@
 #include "layoutbox/furnish/decor.h"
+#include "layoutbox/furnish/room_look.h"
 
 #include <gmock/gmock.h>
 
@@ -167,6 +168,35 @@ TEST(Decor, ColorsOfTheWholeRoomAreSaidInThePluralOrBeforeItsName) {
   EXPECT_EQ(said("A bedroom with a bed. Warm earth tones.").size(), 5U);
   EXPECT_TRUE(said("A bedroom with a blue rug and a white bed.").empty());
   EXPECT_TRUE(said("A kitchen with a bowl of greens.").empty());
+}
+
+TEST(Decor, LooksOfTheWholeRoomAreSaidOfAllOfIt) {
+  const auto look = [](const char* text) { return room_look(text); };
+  const std::vector<Color> pink_gold{named("pink"), named("gold")};
+  EXPECT_EQ(look("A girl's bedroom in pink and gold with a bed, desk and chair.").colors, pink_gold);
+  EXPECT_EQ(look("A study all in dark blue and oak: desk, chair, bookcase.").colors, std::vector<Color>{named("dark blue")});
+  EXPECT_EQ(look("A study all in dark blue and oak: desk, chair, bookcase.").woods, std::vector<std::string>{"oak"});
+  EXPECT_EQ(look("A bedroom with pale wood throughout, a bed and two nightstands.").woods, std::vector<std::string>{"birch"});
+  EXPECT_EQ(look("Everything in the study is mahogany with green leather: desk, chair.").woods.size(), 1U);
+  EXPECT_EQ(look("A goth bedroom, black everything with red accents, bed and dresser.").colors,
+            (std::vector<Color>{named("black"), named("red")}));
+  EXPECT_TRUE(look("The furniture should be black, walls white: sofa, table.").all);
+  EXPECT_EQ(look("A bathroom with everything white and brass taps; tub, sink.").colors, std::vector<Color>{named("white")});
+  EXPECT_EQ(look("All white kitchen, only the stools are red.").colors, std::vector<Color>{named("white")});
+  EXPECT_EQ(look("A living room in shades of green with a sofa.").colors, std::vector<Color>{named("green")});
+  EXPECT_TRUE(look("A room with a table; all the chairs are white.").colors.empty());
+  EXPECT_TRUE(look("A bedroom with a bed in pink and a white desk.").colors.empty());
+}
+
+TEST(Decor, ColorsThatAreNotWantedGiveWay) {
+  EXPECT_EQ(room_look("A living room, nothing beige, with a sofa and a rug.").unwanted, std::vector<Color>{named("beige")});
+  EXPECT_EQ(room_look("A living room: mustard sofa, teal walls, no grey please.").unwanted, std::vector<Color>{named("grey")});
+  EXPECT_EQ(room_look("A living room where nothing is black, a sofa.").unwanted, std::vector<Color>{named("black")});
+  EXPECT_TRUE(room_look("A hall without white walls and no red chairs.").unwanted.empty());
+  for (int seed = 0; seed < 20; ++seed) {
+    for (const Color& color : decor_of(room("living_room", "a living room, nothing beige"), static_cast<std::uint64_t>(seed)).accents)
+      EXPECT_FALSE(is_much_like(color, named("beige")));
+  }
 }
 
 }  // namespace layoutbox

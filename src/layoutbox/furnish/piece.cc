@@ -143,6 +143,12 @@ bool Piece::is_free(const Box& b) const {
   });
 }
 
+// "Everything is black": said of cloth and wood, unless woods were said with it.
+bool Piece::takes_room_color(const NamedSurface& surface) const {
+  const bool wood = surface.kind == "wood" || surface.surface.name == "lacquer";
+  return decor_.all && decor_.colors_said && !wish_.color && own_ == nullptr && (surface.soft() || (wood && !decor_.woods_said));
+}
+
 Surface Piece::asked(std::string_view usual, bool with_color) const {
   const NamedSurface& like = named_surface(usual);
   const NamedSurface* fitting = wish_.fitting(like);
@@ -155,6 +161,7 @@ Surface Piece::asked(std::string_view usual, bool with_color) const {
     if (own != now.surface.name) fitting = &named_surface(own);
   }
   const NamedSurface& chosen = fitting != nullptr ? *fitting : like;
+  if (said.empty() && takes_room_color(chosen)) return colored(chosen, accent());
   Surface surface = chosen.surface;
   if (!with_color) {
     // A colour said together with a hard material is that material's: "white wooden bed".

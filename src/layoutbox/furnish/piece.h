@@ -112,6 +112,7 @@ class Piece {
 
   void part_coincident_faces();
   void take_part_look(const CatalogEntry& entry);
+  bool takes_room_color(const NamedSurface& surface) const;
   Surface asked(std::string_view usual, bool with_color) const;
 
   const PlacedObject& object_;
