@@ -49,7 +49,7 @@ std::pair<int, std::size_t> clusters_at(const Lexicon& lexicon, const Document& 
 // "a cluster of four desks".
 bool is_one_cluster(const Document& document, const Chunk& chunk) {
   for (std::size_t i = chunk.first; i + 1 < chunk.last; ++i) {
-    if (says_one_of(document, i, {"cluster", "group"}) && says_one_of(document, i + 1, {"of"})) return true;
+    if (says_one_of(document, i, {"cluster", "group", "island", "pod"}) && says_one_of(document, i + 1, {"of"})) return true;
   }
   return false;
 }
@@ -68,6 +68,40 @@ void give_each_group(Document& document, std::size_t k, int groups) {
     noun.determiner = Determiner::kNone;
     noun.plural = true;
   }
+}
+
+// "for 6 people": the desks are theirs.
+bool counts_people(const Lexicon& lexicon, const Document& document) {
+  for (std::size_t i = 0; i + 1 < document.tokens.size(); ++i) {
+    const NumberRead number = read_number(lexicon, document.tokens, i);
+    const std::size_t next = i + number.length;
+    if (number.length > 0 && next < document.tokens.size() && lexicon.is_person(singular_of(document.tokens[next].text))) return true;
+  }
+  return false;
+}
+
+// How many seats each of those has: "…, each with four chairs"; 0: that is not said.
+NounPhrase* seats_of_each(const Lexicon& lexicon, Document& document, std::size_t k) {
+  std::vector<Chunk>& chunks = document.chunks;
+  std::size_t at = k + 1;
+  if (at < chunks.size() && chunks[at].kind == ChunkKind::kComma) ++at;
+  if (at + 2 >= chunks.size() || chunks[at].kind != ChunkKind::kNoun || chunks[at + 1].kind != ChunkKind::kHave) return nullptr;
+  NounPhrase& seats = chunks[at + 2].noun;
+  const bool each = chunks[at].last == chunks[at].first + 1 && says_one_of(document, chunks[at].first, {"each"});
+  return each && chunks[at + 2].kind == ChunkKind::kNoun && is_seat(lexicon.catalog(), seats) && seats.count > 1 ? &seats : nullptr;
+}
+
+// "Three islands of desks": each has a desk for each of its chairs, or as many as mostly stand together.
+void count_in_clusters(const Lexicon& lexicon, Document& document, std::size_t k) {
+  constexpr int kDesks = 4, kOthers = 3;
+  NounPhrase& noun = document.chunks[k].noun;
+  if (noun.count > 0 || noun.clusters < 2 || counts_people(lexicon, document)) return;
+  NounPhrase* seats = seats_of_each(lexicon, document, k);
+  const int own = seats != nullptr ? seats->count : one_of(noun.head, WordSet::kDesks) ? kDesks : kOthers;
+  noun.count = noun.clusters * own;
+  if (seats == nullptr) return;
+  seats->count = 1;
+  seats->plural = false;
 }
 
 }  // namespace
@@ -103,6 +137,7 @@ void settle_clusters(const Lexicon& lexicon, Document& document) {
     }
     if (noun.kind != NounKind::kObject || !noun.is_plural()) continue;
     if (noun.clusters == 0 && is_one_cluster(document, chunk)) noun.clusters = 1;
+    count_in_clusters(lexicon, document, static_cast<std::size_t>(&chunk - document.chunks.data()));
     if (const auto [clusters, last] = clusters_at(lexicon, document, chunk.last); clusters > 0) {
       noun.clusters = clusters;
       grouped = &noun;

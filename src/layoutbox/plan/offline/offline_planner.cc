@@ -113,6 +113,7 @@ class OfflinePlanner final : public Planner {
     settle_for_each(lexicon_, document);
     settle_purposes(lexicon_, document);
     settle_room_senses(lexicon_, document, room_size_at);
+    settle_word_senses(lexicon_, document);
     settle_company(lexicon_, document);
     settle_worktops(document);
     settle_glosses(document);

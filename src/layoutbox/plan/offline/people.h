@@ -15,6 +15,9 @@ void read_seats_said(const Lexicon& lexicon, Document& document, std::vector<boo
 // is, it may be what the text opens with. `room_size_at`: the places in the prompt of the words that said the room's size.
 void settle_room_senses(const Lexicon& lexicon, Document& document, const std::vector<std::size_t>& room_size_at);
 
+// Words of several senses by the words beside them: "bare boards", a board with keys.
+void settle_word_senses(const Lexicon& lexicon, Document& document);
+
 // What such a thing has of its own is a part of it ("backwash chairs with basins"), and what is named beside another may be of another
 // kind: a PC with two monitors is its tower.
 void settle_company(const Lexicon& lexicon, Document& document);

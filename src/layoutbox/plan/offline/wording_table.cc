@@ -35,7 +35,7 @@ std::vector<std::string_view> texts_of(WordList row, std::string_view key) {
 }
 
 ElementClass class_of(std::string_view name) {
-  constexpr std::array<std::pair<std::string_view, ElementClass>, 13> kClasses = {{{"article", ElementClass::kArticle},
+  constexpr std::array<std::pair<std::string_view, ElementClass>, 14> kClasses = {{{"article", ElementClass::kArticle},
                                                                                    {"number", ElementClass::kNumber},
                                                                                    {"definite", ElementClass::kDefinite},
                                                                                    {"object", ElementClass::kObject},
@@ -44,6 +44,7 @@ ElementClass class_of(std::string_view name) {
                                                                                    {"unit", ElementClass::kUnit},
                                                                                    {"person", ElementClass::kPerson},
                                                                                    {"screen", ElementClass::kScreen},
+                                                                                   {"color", ElementClass::kColor},
                                                                                    {"word", ElementClass::kWord},
                                                                                    {"plain", ElementClass::kPlain},
                                                                                    {"begin", ElementClass::kBegin},
@@ -185,6 +186,7 @@ class TableReader : public TokenReader {
       case ElementClass::kObject: return thing_at(at);
       case ElementClass::kRoom: return is(at, {"room"}) ? 1 : lexicon_.find(tokens_, at, WordClass::kRoom).length;
       case ElementClass::kWindow: return lexicon_.find(tokens_, at, WordClass::kWindow).length;
+      case ElementClass::kColor: return lexicon_.find(tokens_, at, WordClass::kColor).length;
       case ElementClass::kUnit: return lexicon_.find(tokens_, at, WordClass::kUnit).length;
       case ElementClass::kPerson: return lexicon_.is_person(singular_of(tokens_[at].text)) ? 1 : 0;
       case ElementClass::kPlain: return thing_at(at) == 0 ? 1 : 0;

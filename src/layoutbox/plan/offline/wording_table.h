@@ -10,7 +10,23 @@ namespace layoutbox::offline {
 
 // One element of a row: what may stand there, how often, and what becomes of it.
 struct WordingElement {
-  enum class Class { kNone, kArticle, kNumber, kDefinite, kObject, kRoom, kWindow, kUnit, kPerson, kScreen, kWord, kPlain, kBegin, kEnd };
+  enum class Class {
+    kNone,
+    kArticle,
+    kNumber,
+    kDefinite,
+    kObject,
+    kRoom,
+    kWindow,
+    kUnit,
+    kPerson,
+    kScreen,
+    kColor,
+    kWord,
+    kPlain,
+    kBegin,
+    kEnd
+  };
   enum class Look { kHere, kNot, kAfter, kAfterNot };  // there; not there; before it; not before it. All but the first take no token
 
   Class kind = Class::kNone;
