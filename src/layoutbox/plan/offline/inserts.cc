@@ -17,6 +17,8 @@ class InsertReader {
   void run() {
     for (std::size_t k = 0; k + 1 < chunks_.size(); ++k) {
       read_insert(k);
+      read_headed_list(k);
+      read_verb_between(k);
       read_quality(k);
       read_degree(k);
       read_own_feet(k);
@@ -73,6 +75,27 @@ class InsertReader {
     const bool be = is(next, ChunkKind::kVerb) && is_thing(next + 1);
     if (!be && !is(next, ChunkKind::kThere) && !is_thing(next)) return;
     pass_over(k + 2, be || is(next, ChunkKind::kThere) ? end + 1 : end, "by the way");
+  }
+
+  // "workbench at the back wall, on the bench: vise, radio": what follows is there, and not what was named before.
+  void read_headed_list(std::size_t k) {
+    if (!is(k, ChunkKind::kComma) || word(k) != "," || !is(k + 1, ChunkKind::kRelation)) return;
+    const bool of_it = last_word(k + 1) == "it" || last_word(k + 1) == "them";
+    const bool known = is(k + 2, ChunkKind::kNoun) &&
+                       (chunks_[k + 2].noun.determiner == Determiner::kDefinite || chunks_[k + 2].noun.kind == NounKind::kPronoun);
+    const std::size_t colon = of_it ? k + 2 : k + 3;
+    if ((of_it || known) && is(colon, ChunkKind::kComma) && word(colon) == ":") chunks_[k].kind = ChunkKind::kStop;
+  }
+
+  // "three trunks block the corner", "two curtains screen the bed": between several things and an article stands no noun.
+  void read_verb_between(std::size_t k) {
+    if (!is_thing(k) || !(chunks_[k].noun.count > 1 || chunks_[k].noun.plural) || !is(k + 2, ChunkKind::kNoun)) return;
+    const Chunk &verb = chunks_[k + 1], &whom = chunks_[k + 2];
+    const bool bare =
+        (is(k + 1, ChunkKind::kIgnored) && is_noun(noun_form(word(k + 1)))) ||
+        (is(k + 1, ChunkKind::kNoun) && verb.noun.determiner == Determiner::kNone && verb.noun.count == 0 && !verb.noun.plural);
+    const bool close = verb.first == chunks_[k].last && verb.last == verb.first + 1 && whom.first == verb.last;
+    if (bare && close && whom.noun.determiner != Determiner::kNone) chunks_[k + 1].kind = ChunkKind::kUnknown;
   }
 
   // "in sherbet colours", "in a rustic style"; "covered in paper", "wrapped in felt": what it looks like.

@@ -116,6 +116,7 @@ class NounPhraseReader {
   bool names_after_one(const Match& match) const;
   bool read_part();
   bool count_follows() const;
+  bool verb_follows() const;
   bool counts_plural(const Match& match) const;
   bool is_verb_in_name(const Match& match) const;
   bool read_compound_adjective(const Match& match);

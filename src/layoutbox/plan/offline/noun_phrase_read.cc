@@ -328,8 +328,18 @@ void NounPhraseReader::read_parts() {
       break;
     }
     if ((token().kind == Token::Kind::kNumber || at_word("diameter")) && take_size()) continue;
-    if (count_follows() || !read_part()) break;
+    if (count_follows() || verb_follows() || !read_part()) break;
   }
+}
+
+// "two benches border the rug", "three trunks block the corner": between a plural thing and an article stands no noun.
+bool NounPhraseReader::verb_follows() const {
+  if (parts_.empty() || !parts_.back().plural || parts_.back().last != i_ || i_ + 1 >= tokens_.size()) return false;
+  const WordClass before = parts_.back().word_class;
+  const Token& next = tokens_[i_ + 1];
+  return (before == WordClass::kObject || before == WordClass::kFiller) && token().kind == Token::Kind::kWord && !hyphenated(i_) &&
+         (lexicon_.is(next, WordClass::kDefinite) || lexicon_.is(next, WordClass::kIndefinite) ||
+          lexicon_.is(next, WordClass::kPossessive));
 }
 
 // "bookcases x2", "2 desks, chairs x 4": the number behind the noun.

@@ -51,6 +51,23 @@ void UnitReader::read_purpose(std::size_t k) {
   joiner_ = Joiner::kNone;
 }
 
+// "for my brother, who fixes bikes": what somebody does, to no things in particular.
+bool UnitReader::passes_trade(std::size_t k) {
+  if (document_.tokens[chunk(k).first].text != "who") return false;
+  const std::size_t verb = next(k);
+  const bool filler = is(verb, ChunkKind::kNoun) && chunk(k).last < chunk(verb).first;
+  if (!filler && !is(verb, ChunkKind::kUnknown) && !is(verb, ChunkKind::kVerb) && !is(verb, ChunkKind::kPurpose)) return false;
+  const std::size_t thing = filler ? verb : next(verb);
+  if (!is(thing, ChunkKind::kNoun)) return false;
+  const NounPhrase& noun = chunk(thing).noun;
+  if (noun.kind != NounKind::kObject || noun.determiner != Determiner::kNone || noun.count > 0) return false;
+  for (std::size_t c = k; c <= thing; ++c) mark(c, Use::kIgnored, "purpose");
+  document_.chunks[thing - 1].kind = ChunkKind::kPurpose;
+  skipping_ = doing_ = true;
+  passed_until_ = thing + 1;
+  return true;
+}
+
 // "and then like a mirror over the sink" says nothing; "another just like it to the right", "a clock shaped like a cat" say which one.
 bool UnitReader::passes_like(std::size_t k) {
   const std::size_t like = next(k), p = previous(k);

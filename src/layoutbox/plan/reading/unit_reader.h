@@ -56,6 +56,7 @@ class UnitReader {
   bool names_contents(std::size_t k) const;
   bool passes_keeper(std::size_t k);
   bool passes_placer(std::size_t k);
+  bool passes_trade(std::size_t k);
   bool passes_like(std::size_t k);
   bool ends_comparison(std::size_t k) const;
   bool ends_contact_clause(std::size_t k) const;

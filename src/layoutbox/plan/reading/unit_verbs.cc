@@ -18,6 +18,16 @@ const PhraseSenses& senses_of_any_verb() {
                        RelationType::kOnWall, RelationType::kCorner>();
 }
 
+// "guard", "borders": what "guarding", "bordering" say, where that is listed; null where it is not.
+const PhraseSenses* senses_of_doing(const Lexicon& lexicon, const std::string& verb) {
+  for (std::string stem : singular_forms(verb)) {
+    if (const PhraseSenses* senses = lexicon.senses_of(stem + "ing")) return senses;
+    if (stem.ends_with('e')) stem.pop_back();
+    if (const PhraseSenses* senses = lexicon.senses_of(stem + "ing")) return senses;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 // The chunk is a verb that no list has, and says no purpose.
@@ -25,7 +35,7 @@ bool UnitReader::is_unlisted_verb(std::size_t k) const {
   if (!is_unread_verb(k)) return false;
   const Token& verb = document_.tokens[chunk(k).first];
   return !lexicon_.is(verb, WordClass::kPurpose) && !lexicon_.is(verb, WordClass::kDoer) && !lexicon_.is(verb, WordClass::kCommand) &&
-         (word_form(verb.text) == WordForm::kVerb || may_be_verb(verb.text));
+         (word_form(verb.text) == WordForm::kVerb || may_be_verb(verb.text) || senses_of_doing(lexicon_, verb.text) != nullptr);
 }
 
 // The thing that a verb at that chunk is said of: the noun before it, or before "which"; null where it is none.
@@ -78,7 +88,8 @@ void UnitReader::place_by_verb(std::size_t k) {
                     (mount_of(*subject) == Mount::kSurface || is_textile(catalog, *subject) ||
                      (subject->entry->thin && mount_of(*subject) == Mount::kFloor)) &&
                     may_carry(catalog, noun, *subject);
-  if (!anew && !lies && lexicon_.is(document_.tokens[chunk(verb).first], WordClass::kVerb)) return;
+  const PhraseSenses* known = senses_of_doing(lexicon_, document_.tokens[chunk(verb).first].text);
+  if (!anew && !lies && known == nullptr && lexicon_.is(document_.tokens[chunk(verb).first], WordClass::kVerb)) return;
   skipping_ = doing_ = false;
   const bool has = anew && mount_of(noun) == Mount::kSurface && may_carry(catalog, *subject, noun) && !may_carry(catalog, noun, *subject);
   mark(verb, WordReading::Use::kUsed, has ? "has" : "placing");
@@ -86,10 +97,11 @@ void UnitReader::place_by_verb(std::size_t k) {
     add(UnitKind::kHave, verb);
     return;
   }
+  const PhraseSenses& senses = known != nullptr ? *known : senses_of_any_verb();
   document_.chunks[verb].kind = ChunkKind::kRelation;
-  document_.chunks[verb].phrase.senses = &senses_of_any_verb();
-  add_place(verb, senses_of_any_verb());
-  units_.back().soft = true;
+  document_.chunks[verb].phrase.senses = &senses;
+  add_place(verb, senses);
+  units_.back().soft = known == nullptr;
 }
 
 // "stands guard beside the door", "keeps watch over it": a noun that only goes with its verb.

@@ -128,6 +128,7 @@ void UnitReader::read(std::size_t k) {
         passed_until_ = next(k) + 1;
         break;
       }
+      if (passes_trade(k)) break;
       mark(k, Use::kUsed, "relative clause");
       skipping_ = false;
       add(UnitKind::kRelative, k);
