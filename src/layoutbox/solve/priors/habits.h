@@ -58,6 +58,7 @@ class Habits {
     std::int64_t right2 = 0;
     std::optional<std::int64_t> back2;
   };
+  std::pair<Side, Side> sides_on(int host, bool screen) const;
   void sit_on_host(int item);
   std::optional<Spot> spot_on(int item, int host) const;
   static std::optional<Spot> spot_beside_screens(Mm length, Mm screens, Mm widest, std::int64_t before, std::int64_t all, bool at_back);
@@ -164,6 +165,7 @@ class Habits {
   bool told_short_side(int item, int host) const;
   bool stand_abreast(int item);
   bool stand_abreast_of(int item, int host, RelationType how);
+  bool is_seated(int item, int neighbour) const;
   void stand_at_side(int item);
 
   // Habits by the greater thing one goes with (habits_beside.cc).
@@ -200,6 +202,7 @@ class Habits {
   bool look_at(int item, bool leads = false, const std::vector<int>& crowd = {});
 
   // Habits of groups (habits_groups.cc).
+  void stay_under_loft(int item);
   bool is_dined_at(int item) const;
   void keep_off_sofas(int item);
   void keep_off_beds(int item);
