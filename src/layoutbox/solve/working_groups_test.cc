@@ -76,8 +76,7 @@ TEST(WorkingGroups, WhoSitsBehindADeskOfAnIslandSitsAtItsScreen) {
 }
 
 TEST(WorkingGroups, WhoReceivesSitsBehindTheDesk) {
-  const Layout layout =
-      solved_as_asked(SceneMaker(5500, 4500).add("reception_desk").add("office_chair").add("waiting_chairs", 2).make(true));
+  const Layout layout = solved_as_asked(SceneMaker(5500, 4500).add("reception_desk").add("office_chair").add("beam_seating", 2).make(true));
   EXPECT_GT(seen_from(layout, "reception_desk_1", "office_chair_1").y, 0);
 }
 
@@ -230,6 +229,17 @@ TEST(WorkingGroups, ABasinIsNotUnderABarbersMirror) {
   const Layout layout = solved_as_asked(maker.make(true));
   for (const std::string mirror : {"mirror_1", "mirror_2", "mirror_3", "mirror_4"}) {
     for (const std::string sink : {"sink_1", "sink_2"}) EXPECT_GT(apart(layout, mirror, sink), 0) << mirror;
+  }
+}
+
+TEST(WorkingGroups, InFrontOfAMirrorOneLooksIntoIt) {
+  SceneMaker maker(5500, 4500);
+  maker.add("mirror", 2).add("salon_chair", 2).add("sink", 2);
+  for (const std::string k : {"1", "2"}) maker.relate("inFrontOf", {"salon_chair_" + k}, {"mirror_" + k});
+  const Layout layout = solved_as_asked(maker.make(true));
+  for (const std::string k : {"1", "2"}) {
+    EXPECT_NEAR(turned(layout, "mirror_" + k, "salon_chair_" + k), 180, 1) << k;
+    for (const std::string sink : {"sink_1", "sink_2"}) EXPECT_GT(apart(layout, "mirror_" + k, sink), 0) << k;
   }
 }
 

@@ -143,6 +143,7 @@ class Habits {
   // Habits towards other things: beside, round, before and facing what they belong to.
   int mirror_of(int item) const;
   int usual_mirror_of(int item) const;
+  bool is_told_before_mirror(int seat, int mirror) const;
   bool is_wall_mirror(int item) const;
   bool sit_before_mirror(int item);
   int stand_of_screen(int screen) const;
@@ -199,6 +200,7 @@ class Habits {
   std::vector<int> usual_hosts(int item) const;
   bool takes_seat(int host, int seat) const;
   std::vector<int> seen_from(int item) const;
+  std::vector<int> seen_by_crowd(int item) const;
   bool look_at(int item, bool leads = false, const std::vector<int>& crowd = {});
 
   // Habits of groups (habits_groups.cc).
@@ -256,6 +258,7 @@ class Habits {
   bool stand_in_formation(int item);
   void keep_off_faced(int item);
   void stand_before_crowd(int faced);
+  void stand_before_middle_of(const std::vector<int>& crowd, int faced);
   void stand_in_run(int item);
   void keep_tall_off_worked_at(int item);
   bool stand_along_run(int item);

@@ -119,11 +119,21 @@ std::vector<int> Habits::seen_from(int item) const {
   return seen;
 }
 
+// Seats in rows look at the board or the screen of the room, whatever they are.
+std::vector<int> Habits::seen_by_crowd(int item) const {
+  std::vector<int> seen = seen_from(item);
+  const Item& self = model_.items[item];
+  const int board = self.has_front && (self.is(Trait::kSeat) || self.is(Trait::kEasySeat)) ? board_of_room() : -1;
+  const auto shows = [&](int other) { return model_.items[other].is(Trait::kScreen); };
+  if (board >= 0 && std::ranges::none_of(seen, shows)) seen.insert(seen.begin(), board);
+  return seen;
+}
+
 // Its front to what it is for: sofas to screens, easy chairs to the table between. False: there is nothing of that.
 bool Habits::look_at(int item, bool leads, const std::vector<int>& crowd) {
   const Item& self = model_.items[item];
   if (!self.has_front) return false;
-  const std::vector<int> seen = seen_from(item);
+  const std::vector<int> seen = crowd.empty() ? seen_from(item) : seen_by_crowd(item);
   for (const int seen_one : seen) {
     const int other = stand_of_screen(seen_one);
     if (model_.items[other].mount != Mount::kFloor && model_.items[other].mount != Mount::kWall && seen.size() > 1 && seen_one != seen[0])

@@ -106,7 +106,9 @@ int Habits::seat_facing(int item) const {
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     const int seat = static_cast<int>(i);
     if (!model_.items[i].is(Trait::kSeat) && !model_.items[i].is(Trait::kEasySeat)) continue;
-    if (related_as_target(seat, item, RelationType::kFacing) || (is_wall_mirror(item) && usual_mirror_of(seat) == item)) return seat;
+    if (related_as_target(seat, item, RelationType::kFacing) || is_told_before_mirror(seat, item) ||
+        (is_wall_mirror(item) && usual_mirror_of(seat) == item))
+      return seat;
   }
   return -1;
 }
