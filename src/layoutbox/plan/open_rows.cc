@@ -123,8 +123,16 @@ class OpenRows {
     return twin.id;
   }
 
+  // What is told to stand in one row stands at one wall.
+  bool is_row(const std::vector<std::string>& ids) const {
+    return std::ranges::any_of(scene_.relations, [&](const Relation& r) {
+      return r.type == RelationType::kRow && r.hard && std::ranges::find(r.targets, ids.front()) != r.targets.end();
+    });
+  }
+
   // "ten chairs along the walls", "bookshelves lining the walls": shared out over those that have room for a few.
   void spread(const Lining& lining) {
+    if (!lining.open && is_row(lining.ids)) return;
     const CatalogEntry& kind = catalog_.entry_or_nearest(scene_.find_object(lining.ids.front())->category);
     const Mm pitch = std::max<Mm>(size_of(lining.ids.front()).width, 100) + (kind.is(Trait::kSeat) ? kSeatApart : 0);
     struct Part {

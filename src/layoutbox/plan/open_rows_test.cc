@@ -64,6 +64,11 @@ TEST(OpenRows, SeatsAlongTheWallsAreSharedOut) {
   EXPECT_GE(at_wall(room, "wall2"), 4);
 }
 
+TEST(OpenRows, WhatIsLinedUpIsAtOneWall) {
+  const SceneGraph room = filled("An arcade, 4.9 x 4.3 m. Four upright cabinets are lined up along the wall, each with a stool in front.");
+  for (const char* wall : {"wall1", "wall2", "wall3", "wall4"}) EXPECT_EQ(at_wall(room, wall) % 4, 0) << wall;
+}
+
 TEST(OpenRows, StoolsBeforeABarAreAsManyAsSitThere) {
   EXPECT_GE(count_of(filled("A tavern with a bar 3 m long and stools in front of it."), "bar_stool"), 4);
   EXPECT_EQ(count_of(filled("A tavern with a bar 3 m long and two stools in front of it."), "bar_stool"), 2);

@@ -151,5 +151,28 @@ TEST(Rows, TheBackBarIsBehindWhoServes) {
   EXPECT_NEAR(at.y - (counter.size.depth + shelf.size.depth) / 2.0, 900, 200);
 }
 
+// Whatever seats they are: what there is to look at hangs before the middle of them all.
+TEST(Rows, SeatsInRowsLookAtTheScreen) {
+  for (const auto& [seat, shown] :
+       {std::pair{"theater_seat", "projector_screen"}, {"student_chair", "projector_screen"}, {"theater_seat", "whiteboard"}}) {
+    SceneMaker maker(9000, 10000);
+    maker.add(seat, 24).add(shown);
+    std::vector<std::string> ids;
+    for (int i = 1; i <= 24; ++i) ids.push_back(std::string(seat) + "_" + std::to_string(i));
+    maker.relate("grid", ids);
+    const Layout layout = solved_as_asked(maker.make(true));
+    const PlacedObject& screen = object(layout, std::string(shown) + "_1");
+    double middle = 0;
+    for (const std::string& id : ids) {
+      const PlacedObject& one = object(layout, id);
+      const TestPoint at = in_frame_of(screen, {one.position[0], one.position[1], 0});
+      middle += at.x / 24;
+      EXPECT_LT(at.y, 0) << id;
+      EXPECT_NEAR(turned(layout, std::string(shown) + "_1", id), 180, 1) << id;
+    }
+    EXPECT_NEAR(middle, 0, 700) << seat << " " << shown;
+  }
+}
+
 }  // namespace
 }  // namespace layoutbox::placement

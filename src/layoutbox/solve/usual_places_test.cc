@@ -244,7 +244,7 @@ TEST(UsualPlaces, EachLooksIntoItsOwnMirrorFromTheSameDistance) {
                        &mirror = *layout.find_object("mirror_" + std::to_string(i));
     const TestPoint at = in_frame_of(mirror, {chair.position[0], chair.position[1], 0});
     EXPECT_NEAR(at.x, 0, 60) << i;
-    EXPECT_NEAR(-at.y, 500 + chair.size.depth / 2.0, 150) << i;
+    EXPECT_NEAR(-at.y, 650 + chair.size.depth / 2.0, 150) << i;
   }
 }
 

@@ -76,8 +76,7 @@ TEST(WorkingGroups, WhoSitsBehindADeskOfAnIslandSitsAtItsScreen) {
 }
 
 TEST(WorkingGroups, WhoReceivesSitsBehindTheDesk) {
-  const Layout layout =
-      solved_as_asked(SceneMaker(5500, 4500).add("reception_desk").add("office_chair").add("waiting_chairs", 2).make(true));
+  const Layout layout = solved_as_asked(SceneMaker(5500, 4500).add("reception_desk").add("office_chair").add("beam_seating", 2).make(true));
   EXPECT_GT(seen_from(layout, "reception_desk_1", "office_chair_1").y, 0);
 }
 
@@ -162,6 +161,86 @@ TEST(WorkingGroups, TwoEasyChairsTalk) {
   const Layout layout = solved_as_asked(SceneMaker(4500, 4000).add("armchair", 2).add("desk").add("bookshelf").make(true));
   EXPECT_NEAR(turned(layout, "armchair_1", "armchair_2"), 180, 1);
   EXPECT_LT(apart(layout, "armchair_1", "armchair_2"), 1500);
+}
+
+// Who sits below a loft bed sits below it: the bed is not in the way of the chair.
+TEST(WorkingGroups, ADeskIsBelowItsLoftBed) {
+  const Layout layout = solved_as_asked(SceneMaker(3900, 3500)
+                                            .add("loft_bed")
+                                            .add("desk")
+                                            .add("office_chair")
+                                            .relate("corner", {"loft_bed_1"}, {"wall3", "wall2"})
+                                            .relate("under", {"desk_1"}, {"loft_bed_1"})
+                                            .relate("inFrontOf", {"office_chair_1"}, {"desk_1"})
+                                            .relate("facing", {"office_chair_1"}, {"desk_1"})
+                                            .make(true));
+  const TestPoint desk = seen_from(layout, "loft_bed_1", "desk_1");
+  const PlacedObject &bed = object(layout, "loft_bed_1"), &table = object(layout, "desk_1");
+  const bool across = std::abs(std::remainder(turned(layout, "loft_bed_1", "desk_1"), 180)) > 45;
+  EXPECT_LE(std::abs(desk.x) + (across ? table.size.depth : table.size.width) / 2.0, bed.size.width / 2.0 + 20);
+  EXPECT_LT(std::abs(seen_from(layout, "loft_bed_1", "office_chair_1").x), bed.size.width / 2.0 + 100);
+}
+
+TEST(WorkingGroups, AFewDesksStandAbreastBeforeWhatTheyFace) {
+  SceneMaker maker(6500, 5100);
+  maker.add("control_console", 3).add("office_chair", 3).add("video_wall");
+  for (const std::string k : {"1", "2", "3"}) {
+    maker.relate("facing", {"control_console_" + k}, {"video_wall_1"}).relate("behind", {"office_chair_" + k}, {"control_console_" + k});
+  }
+  const Layout layout = solved_as_asked(maker.make(true));
+  for (const char* other : {"control_console_2", "control_console_3"}) {
+    EXPECT_NEAR(seen_from(layout, "control_console_1", other).y, 0, 50) << other;
+  }
+}
+
+TEST(WorkingGroups, WhoSitsBehindADeskHasTheKeysBeforeTheScreen) {
+  const Layout layout = solved_as_asked(SceneMaker(4500, 4000)
+                                            .add("desk")
+                                            .add("office_chair")
+                                            .add("monitor")
+                                            .add("keyboard")
+                                            .add("whiteboard")
+                                            .relate("facing", {"desk_1"}, {"whiteboard_1"})
+                                            .relate("behind", {"office_chair_1"}, {"desk_1"})
+                                            .relate("on", {"monitor_1"}, {"desk_1"})
+                                            .relate("on", {"keyboard_1"}, {"desk_1"})
+                                            .make(true));
+  EXPECT_LT(seen_from(layout, "monitor_1", "keyboard_1").y, 0);
+  EXPECT_GT(seen_from(layout, "desk_1", "keyboard_1").y, 0);
+}
+
+TEST(WorkingGroups, AStoolNextToAChairIsAtItsSide) {
+  const Layout layout = solved_as_asked(SceneMaker(4000, 3500)
+                                            .add("workbench")
+                                            .add("office_chair")
+                                            .add("milking_stool")
+                                            .relate("inFrontOf", {"office_chair_1"}, {"workbench_1"})
+                                            .relate("facing", {"office_chair_1"}, {"workbench_1"})
+                                            .relate("nextTo", {"milking_stool_1"}, {"office_chair_1"})
+                                            .make(true));
+  const TestPoint stool = seen_from(layout, "office_chair_1", "milking_stool_1");
+  EXPECT_GT(std::abs(stool.x), std::abs(stool.y));
+}
+
+TEST(WorkingGroups, ABasinIsNotUnderABarbersMirror) {
+  SceneMaker maker(5700, 4700);
+  maker.add("mirror", 4).add("salon_chair", 4).add("sink", 2).add("reception_desk").add("sofa").relate("underWindow", {"sofa_1"});
+  for (const std::string k : {"1", "2", "3", "4"}) maker.relate("facing", {"salon_chair_" + k}, {"mirror_" + k});
+  const Layout layout = solved_as_asked(maker.make(true));
+  for (const std::string mirror : {"mirror_1", "mirror_2", "mirror_3", "mirror_4"}) {
+    for (const std::string sink : {"sink_1", "sink_2"}) EXPECT_GT(apart(layout, mirror, sink), 0) << mirror;
+  }
+}
+
+TEST(WorkingGroups, InFrontOfAMirrorOneLooksIntoIt) {
+  SceneMaker maker(5500, 4500);
+  maker.add("mirror", 2).add("salon_chair", 2).add("sink", 2);
+  for (const std::string k : {"1", "2"}) maker.relate("inFrontOf", {"salon_chair_" + k}, {"mirror_" + k});
+  const Layout layout = solved_as_asked(maker.make(true));
+  for (const std::string k : {"1", "2"}) {
+    EXPECT_NEAR(turned(layout, "mirror_" + k, "salon_chair_" + k), 180, 1) << k;
+    for (const std::string sink : {"sink_1", "sink_2"}) EXPECT_GT(apart(layout, "mirror_" + k, sink), 0) << k;
+  }
 }
 
 }  // namespace

@@ -196,6 +196,7 @@ class RelationBuilder {
   void add_front();
   void show_where_seated();
   bool shows_in(RoomRegion region) const;
+  void middle_what_is_surrounded();
   void add_end_walls();
   void hang_hoods();
   void screen_from_door();

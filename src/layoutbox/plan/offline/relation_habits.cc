@@ -22,17 +22,18 @@ bool at_wall(R type) { return says_too(type, R::kAgainstWall) || type == R::kSid
 
 void RelationBuilder::face_as_group() {
   for (const Relation& grid : scene_.relations) {
-    const bool row = grid.type == R::kRow && grid.targets.size() > 3;
-    if (!row && (grid.type != R::kGrid || grid.targets.size() < 2)) continue;
     const std::size_t n = grid.targets.size();
+    const SceneObject* first = n == 0 ? nullptr : object_of(grid.targets.front());
+    const CatalogEntry* kind = first == nullptr ? nullptr : noun_of_object(*first).entry;
+    const auto as_wide = [&](Mm width) { return kind != nullptr && kind->size.usual.width >= width; };
+    constexpr Mm kForOne = 1000, kForSeveral = 1500;  // three chairs have it ahead, of three desks only the middle one
+    const bool row = grid.type == R::kRow && (n > 3 || (n == 3 && as_wide(kForOne)));
+    if (!row && (grid.type != R::kGrid || n < 2)) continue;
     const std::size_t columns =
         row ? n
             : static_cast<std::size_t>(grid.parameters.columns.value_or(static_cast<int>(std::ceil(std::sqrt(static_cast<double>(n))))));
     // Pews in an even number of columns stand beside the axis: from the last row it is straight ahead, from the first it is not.
-    constexpr Mm kForSeveral = 1500;
-    const SceneObject* first = object_of(grid.targets.front());
-    const CatalogEntry* kind = first == nullptr ? nullptr : noun_of_object(*first).entry;
-    const bool wide = kind != nullptr && kind->size.usual.width >= kForSeveral && columns % 2 == 0 && n > columns;
+    const bool wide = as_wide(kForSeveral) && columns % 2 == 0 && n > columns;
     const std::size_t leader = (wide ? (n - 1) / columns * columns : 0) + (columns - 1) / 2;
     const std::string& middle = grid.targets[std::min(leader, n - 1)];
     for (Relation& facing : scene_.relations) {
@@ -150,7 +151,9 @@ void RelationBuilder::add_end_walls() {
                        std::ranges::none_of(scene_.objects, [&](const SceneObject& o) { return is_table(catalog_, noun_of_object(o)); });
     if (!hangs && !stands && !flat && !waits) continue;
     const std::vector<std::size_t>& own = relations_of(object->id);
-    if (std::ranges::any_of(own, [&](std::size_t i) { return at_wall(scene_.relations[i].type); })) continue;
+    // Of shelves in rows at the back only the last row is at the wall.
+    const auto elsewhere = [&](std::size_t i) { return at_wall(scene_.relations[i].type) || scene_.relations[i].type == R::kGrid; };
+    if (std::ranges::any_of(own, elsewhere)) continue;
     add_habit(hangs ? R::kOnWall : R::kAgainstWall, region.targets, {std::string(end)}, 80,
               "what stands at walls and at that end stands at the wall there");
   }
@@ -234,6 +237,7 @@ void RelationBuilder::make_islands() {
 void RelationBuilder::add_habits() {
   hang_bed_curtains();
   hang_within();
+  middle_what_is_surrounded();
   add_front();
   share_doors();
   seat_in_windows();

@@ -196,4 +196,15 @@ void RelationBuilder::hang_mirrors_over_counters() {
   scene_.relations.back().hard = true;
 }
 
+// "Eight chairs surround the table in the middle of the room": the table is there, the chairs only about it.
+void RelationBuilder::middle_what_is_surrounded() {
+  for (Relation& middle : scene_.relations) {
+    if (middle.type != R::kCenterOfRoom || middle.targets.size() < 2) continue;
+    const auto round = std::ranges::find_if(scene_.relations, [&](const Relation& r) {
+      return traits_of(r.type).around && r.references.size() == 1 && r.targets == middle.targets;
+    });
+    if (round != scene_.relations.end()) middle.targets = round->references;
+  }
+}
+
 }  // namespace layoutbox::offline

@@ -57,6 +57,7 @@ struct Item {
   bool thin = false;     // a rug: collides with nothing
   bool curtain = false;  // may hang before a window
   bool is_seat = false, takes_seats = false;
+  bool stood_under = false;  // one stands or sits below it: a loft bed
   bool fixed = false;
   Vec3 fixed_at{};
   bool locked = false;  // stays where it was, unless that has to be given up

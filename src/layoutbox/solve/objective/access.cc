@@ -9,9 +9,22 @@ namespace {
 constexpr Mm kStandsOnFloor = 50;
 constexpr Mm kFar = 1 << 28;
 
-// Seats round a table that is used from all sides are not in its way: they are how it is used.
-bool sits_round(const PlacementModel& model, int seat, int table) {
-  return model.items[seat].is_seat && model.items[table].takes_seats && model.pair(seat, table) == PairRule::kSolids;
+// Seats round a table that is used from all sides are not in its way: they are how it is used. Nor is the loft bed in the way of who sits
+// at the desk below.
+bool leaves_way_to(const PlacementModel& model, int body, int owner) {
+  if (model.pair(body, owner) != PairRule::kSolids) return false;
+  return model.items[body].stood_under || (model.items[body].is_seat && model.items[owner].takes_seats);
+}
+
+// Is there room below it for who sits there, over most of its floor?
+bool has_room_below(const Item& item) {
+  constexpr Mm kSitting = 1100, kPosts = 200;
+  const State& usual = item.states[0];
+  return std::any_of(item.spaces.begin(), item.spaces.end(), [&](const ItemSpace& space) {
+    const auto side = [&](int k) { return usual.constants[static_cast<std::size_t>(space.quantity - kFirstConstant + k)]; };
+    const bool low = side(2) == 0 && side(5) >= kSitting;
+    return low && side(0) <= kPosts && side(1) <= kPosts && side(3) >= usual.extent[0] - kPosts && side(4) >= usual.extent[1] - kPosts;
+  });
 }
 
 std::int64_t shared_floor(const GridBox& a, const GridBox& b) {
@@ -36,7 +49,7 @@ std::int64_t blocked_permille(const PlacementModel& model, const GridBox& floor,
     const int other = static_cast<int>(j);
     if (other == owner || placements[j].state < 0) continue;
     const GridBox body = box_of(model.items[j], placements[j]);
-    if (!overlap_in_plan(floor, body) || !blocks_floor(model.items[j], body) || sits_round(model, other, owner)) continue;
+    if (!overlap_in_plan(floor, body) || !blocks_floor(model.items[j], body) || leaves_way_to(model, other, owner)) continue;
     blocked += shared_floor(floor, body);
   }
   return permille(blocked, floor_area(floor));
@@ -59,6 +72,7 @@ std::int64_t cost_of_claims(std::size_t strips, const Blocked& strip_blocked, st
 void note_floor_use(Item& item) {
   if (item.entry != nullptr) {
     item.is_seat = item.is(Trait::kSeat);
+    item.stood_under = item.is(Trait::kClimbedInto) && has_room_below(item);
     item.takes_seats = (!item.entry->back_to_wall || item.is(Trait::kDeskLike)) &&
                        std::any_of(item.spaces.begin(), item.spaces.end(), [](const ItemSpace& space) { return !space.carries; });
   }
@@ -82,7 +96,7 @@ bool surely_blocks(const PlacementModel& model, int body, int owner) {
   const Item& item = model.items[body];
   const bool on_floor = item.supports.size() == 1 && item.supports[0].kind == SupportOption::Kind::kFloor;
   const auto low = [](const State& state) { return state.extent[2] <= 2 * kBodyReach; };
-  return on_floor && !item.is_opening() && !item.thin && !sits_round(model, body, owner) &&
+  return on_floor && !item.is_opening() && !item.thin && !leaves_way_to(model, body, owner) &&
          std::all_of(item.states.begin(), item.states.end(), low);
 }
 
@@ -156,21 +170,21 @@ void AccessProbe::focus(int state, const Vec3& lo, const Vec3& hi) {
   };
   const GridBox body = swept({{0, 0, 0}, own.extent}), floor = swept(own.claims);
   for (const Body& other : bodies_) {
-    if (overlap_in_plan(floor, other.box) && !sits_round(model_, other.item, item_)) near_bodies_.push_back(other);
+    if (overlap_in_plan(floor, other.box) && !leaves_way_to(model_, other.item, item_)) near_bodies_.push_back(other);
   }
   for (std::size_t j = 0; j < placements_->size(); ++j) {
     const int other = static_cast<int>(j);
     const Placement& there = (*placements_)[j];
     if (other == item_ || there.state < 0 || !wants_floor(model_.items[j], there.at)) continue;
     const GridBox& claims = model_.items[j].states[there.state].claims;
-    if (overlap_in_plan(body, claims.shifted(there.at)) && !sits_round(model_, item_, other)) near_owners_.push_back(other);
+    if (overlap_in_plan(body, claims.shifted(there.at)) && !leaves_way_to(model_, item_, other)) near_owners_.push_back(other);
   }
 }
 
 AccessProbe::Claim AccessProbe::claim_of(const GridBox& floor, int owner, const std::vector<Body>& bodies) const {
   Claim claim{floor, floor_area(floor), beyond_room(model_, floor)};
   for (const Body& body : bodies) {
-    if (body.item == owner || !overlap_in_plan(floor, body.box) || sits_round(model_, body.item, owner)) continue;
+    if (body.item == owner || !overlap_in_plan(floor, body.box) || leaves_way_to(model_, body.item, owner)) continue;
     claim.blocked += shared_floor(floor, body.box);
   }
   return claim;

@@ -19,6 +19,8 @@ constexpr Mm kBetweenIslands = 1500, kBetweenDesks = 20;
 constexpr Mm kRoundReception = 2100;    // behind a reception desk, with who sits there, and before it
 constexpr Mm kRoundCounter = 1100;      // behind a counter, and before it
 constexpr int kOneRow = 5;              // so few seats that look at something sit in one row
+constexpr int kDesksInOneRow = 3;       // so few desks likewise, where all of them see it
+constexpr int kNotAbreast = 200;        // points
 constexpr std::int64_t kUneven = 400;   // thousandths of the room that a last row which is not full may cost
 constexpr std::int64_t kUnseen = 1000;  // the same where not all see what they look at
 constexpr int kSeatsToAisle = 8;        // so many seats of a row are parted by an aisle in the middle
@@ -133,6 +135,8 @@ class FormationPlace {
                        std::int64_t{form.deep} * (2 * line - (rows - 1)) + all};
     };
     Case& c = f_.add();
+    // Rather turned so that they have room for the one row.
+    if (few_desks(ahead) && form.columns < n) c.price = kNotAbreast;
     if (states) c.when(item_, states);
     if (taken.states) c.when(of_.counter, taken.states);
     const auto wish_at = [&](int axis, std::int64_t twice) {
@@ -160,6 +164,12 @@ class FormationPlace {
     return hi_of(model_, of_.part, axis) - lo_of(model_, of_.part, axis) - (axis == taken.front.axis ? taken.depth : 0);
   }
 
+  bool few_desks(int ahead) const {
+    const int n = static_cast<int>(of_.group.size());
+    const bool all_see = of_.in_view == 0 || (first_.states[0].size.width + kBetweenDesks) * (n - 1) <= of_.in_view;
+    return of_.seats > 0 && n <= kDesksInOneRow && all_see && looks(ahead) && of_.columns == 0;
+  }
+
   // No columns: it has no room.
   Formation form_in(Mm across, Mm deep, int ahead, bool aside) const {
     const int n = static_cast<int>(of_.group.size());
@@ -176,7 +186,7 @@ class FormationPlace {
     FormationWays ways{asked, first_.thin ? kBehindSeats : kWayAround, looks(ahead) ? ends() / 2 : ends(),
                        seats() && own.width < kForSeveral && asked == 0 ? kSeatsToAisle : 0, of_.in_view};
     Formation form{0, 0, 0};
-    const bool one_row = seats() && looks(ahead) && of_.columns == 0 && n <= kOneRow;
+    const bool one_row = few_desks(ahead) || (seats() && n <= kOneRow && looks(ahead) && of_.columns == 0);
     for (const int in_row : {one_row ? n : asked, asked}) {
       ways.columns = in_row;
       for (int tenths = 10; tenths > 0 && form.columns == 0; tenths -= 3)  // closer in a small room

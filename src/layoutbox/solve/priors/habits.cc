@@ -71,6 +71,7 @@ void Habits::stand(int index) {
   keep_hall_free(index);
   keep_off_sitters_rug(index);
   stand_across(index);
+  stay_under_loft(index);
   share_wall_out(index);
   lie_alike(index);
   if (sit_before_mirror(index) && !placed_by_relation(index)) return;

@@ -58,6 +58,7 @@ class Habits {
     std::int64_t right2 = 0;
     std::optional<std::int64_t> back2;
   };
+  std::pair<Side, Side> sides_on(int host, bool screen) const;
   void sit_on_host(int item);
   std::optional<Spot> spot_on(int item, int host) const;
   static std::optional<Spot> spot_beside_screens(Mm length, Mm screens, Mm widest, std::int64_t before, std::int64_t all, bool at_back);
@@ -142,6 +143,7 @@ class Habits {
   // Habits towards other things: beside, round, before and facing what they belong to.
   int mirror_of(int item) const;
   int usual_mirror_of(int item) const;
+  bool is_told_before_mirror(int seat, int mirror) const;
   bool is_wall_mirror(int item) const;
   bool sit_before_mirror(int item);
   int stand_of_screen(int screen) const;
@@ -164,6 +166,7 @@ class Habits {
   bool told_short_side(int item, int host) const;
   bool stand_abreast(int item);
   bool stand_abreast_of(int item, int host, RelationType how);
+  bool is_seated(int item, int neighbour) const;
   void stand_at_side(int item);
 
   // Habits by the greater thing one goes with (habits_beside.cc).
@@ -197,9 +200,11 @@ class Habits {
   std::vector<int> usual_hosts(int item) const;
   bool takes_seat(int host, int seat) const;
   std::vector<int> seen_from(int item) const;
+  std::vector<int> seen_by_crowd(int item) const;
   bool look_at(int item, bool leads = false, const std::vector<int>& crowd = {});
 
   // Habits of groups (habits_groups.cc).
+  void stay_under_loft(int item);
   bool is_dined_at(int item) const;
   void keep_off_sofas(int item);
   void keep_off_beds(int item);
@@ -253,6 +258,7 @@ class Habits {
   bool stand_in_formation(int item);
   void keep_off_faced(int item);
   void stand_before_crowd(int faced);
+  void stand_before_middle_of(const std::vector<int>& crowd, int faced);
   void stand_in_run(int item);
   void keep_tall_off_worked_at(int item);
   bool stand_along_run(int item);

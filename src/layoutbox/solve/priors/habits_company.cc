@@ -12,7 +12,8 @@ bool Habits::stand_abreast(int item) {
   for (const Relation* said : said_of(item)) {
     const Relation& r = *said;
     const Item& self = model_.items[item];
-    const bool free = !self.is(Trait::kTableSeat) && !self.entry->back_to_wall;
+    // Desks that are sat behind stand free, as what has no back does.
+    const bool free = !self.is(Trait::kTableSeat) && (!self.entry->back_to_wall || is_sat_behind(item));
     const bool abreast = r.type == RelationType::kInFrontOf || r.type == RelationType::kBehind ||
                          (r.type == RelationType::kOpposite && free) ||
                          (r.type == RelationType::kFacing && free && !placed_besides_facing(item));
@@ -61,11 +62,20 @@ bool Habits::stand_abreast_of(int item, int host, RelationType how) {
   return true;
 }
 
+// Does anything but its neighbour say where a seat is?
+bool Habits::is_seated(int item, int neighbour) const {
+  return std::ranges::any_of(said_of(item), [&](const Relation* r) {
+    const bool target = std::ranges::find(r->targets, model_.items[item].id) != r->targets.end();
+    return target && r->references != std::vector<std::string>{model_.items[neighbour].id};
+  });
+}
+
 // What is told to stand next to something that is used from its front stands at its side: a plant beside the television, a cabinet beside
 // the bed. On a table too, and not so close that they touch.
 void Habits::stand_at_side(int item) {
   const Item& self = model_.items[item];
-  if (self.is(Trait::kTableSeat) || before_its_host(item)) return;
+  const bool seat = self.is(Trait::kTableSeat);
+  if (before_its_host(item)) return;
   for (const Relation* said : said_of(item)) {
     const Relation& r = *said;
     if (r.type != RelationType::kNextTo || r.references.size() != 1) continue;
@@ -74,6 +84,7 @@ void Habits::stand_at_side(int item) {
     if (host < 0 || !related_as_target(item, host, r.type) || !only_related_by(item, host, relations_that<&RelationTraits::close_by>()))
       continue;
     const Item& ref = model_.items[host];
+    if (seat && (ref.is_opening() || !ref.is(Trait::kTableSeat) || is_seated(item, host))) continue;
     const bool small = self.mount == Mount::kSurface && ref.mount == Mount::kSurface;
     // A basin that hangs is stood before as well.
     const bool hangs = !ref.is_opening() && ref.mount == Mount::kWall && self.mount == Mount::kFloor && !used_sides(ref).empty();
@@ -86,6 +97,7 @@ void Habits::stand_at_side(int item) {
       if (!c.wishes.empty()) c.wishes[0].weight = kBeside;
     }
     habit("at its side", item, kBeside, std::move(f), {host});
+    if (seat && self.has_front) turn_as(item, host);
     return;
   }
 }
@@ -107,11 +119,21 @@ std::vector<int> Habits::seen_from(int item) const {
   return seen;
 }
 
+// Seats in rows look at the board or the screen of the room, whatever they are.
+std::vector<int> Habits::seen_by_crowd(int item) const {
+  std::vector<int> seen = seen_from(item);
+  const Item& self = model_.items[item];
+  const int board = self.has_front && (self.is(Trait::kSeat) || self.is(Trait::kEasySeat)) ? board_of_room() : -1;
+  const auto shows = [&](int other) { return model_.items[other].is(Trait::kScreen); };
+  if (board >= 0 && std::ranges::none_of(seen, shows)) seen.insert(seen.begin(), board);
+  return seen;
+}
+
 // Its front to what it is for: sofas to screens, easy chairs to the table between. False: there is nothing of that.
 bool Habits::look_at(int item, bool leads, const std::vector<int>& crowd) {
   const Item& self = model_.items[item];
   if (!self.has_front) return false;
-  const std::vector<int> seen = seen_from(item);
+  const std::vector<int> seen = crowd.empty() ? seen_from(item) : seen_by_crowd(item);
   for (const int seen_one : seen) {
     const int other = stand_of_screen(seen_one);
     if (model_.items[other].mount != Mount::kFloor && model_.items[other].mount != Mount::kWall && seen.size() > 1 && seen_one != seen[0])

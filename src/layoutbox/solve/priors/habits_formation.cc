@@ -152,6 +152,10 @@ void Habits::stand_before_crowd(int faced) {
     crowd = group->members;
     break;
   }
+  stand_before_middle_of(crowd, faced);
+}
+
+void Habits::stand_before_middle_of(const std::vector<int>& crowd, int faced) {
   const std::string name = "before the middle of the crowd";
   const bool placed = model_.items[faced].mount == Mount::kWall ? placed_by_relation_besides_walls(faced) : placed_besides_facing(faced);
   if (crowd.size() < kManyInFormation || placed) return;
@@ -233,7 +237,8 @@ bool Habits::stand_in_formation(int item) {
   // Round something in the middle of the room each stands where there is room for it.
   const bool crossed = !told_middle_with_others(first) && middle_is_taken(first);
   const bool looks =
-      told_where_to_look(first) || (model_.items[first].has_front && !items_of_kinds(model_.items[first].entry->faces, first).empty());
+      told_where_to_look(first) || (model_.items[first].has_front && (!items_of_kinds(model_.items[first].entry->faces, first).empty() ||
+                                                                      (!seen_by_crowd(first).empty() && model_.items[first].is_seat)));
   add_formation_place(f, model_,
                       {.group = group->members,
                        .k = k,
@@ -251,7 +256,10 @@ bool Habits::stand_in_formation(int item) {
   place.formation = first, place.member = item;
   keep_off_faced(item);
   if (k == 0) {
-    if (!told_where_to_look(item)) look_at(item, true, group->members);
+    if (told_where_to_look(item)) return true;
+    look_at(item, true, group->members);
+    const std::vector<int> seen = seen_by_crowd(item);
+    if (!seen.empty() && model_.items[seen[0]].is(Trait::kScreen)) stand_before_middle_of(group->members, stand_of_screen(seen[0]));
   } else if (model_.items[item].has_front) {
     turn_as(item, group->members[0]);
   }

@@ -4,6 +4,19 @@
 
 namespace layoutbox::placement {
 
+// The desk below a loft bed does not reach out beyond it, where the ladder is and one walks.
+void Habits::stay_under_loft(int item) {
+  constexpr int kWithin = 400;  // points a metre
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const int loft = static_cast<int>(i);
+    if (!model_.items[i].stood_under || !related_as_target(item, loft, RelationType::kUnder)) continue;
+    Formula f;
+    Case& c = f.add();
+    for (const int axis : {0, 1}) c.require(lo(item, axis) - lo(loft, axis)).require(hi(loft, axis) - hi(item, axis));
+    habit("below the loft", item, kWithin, std::move(f), {loft});
+  }
+}
+
 // A table that one sits at upright, with those who do.
 bool Habits::is_dined_at(int item) const {
   const Item& table = model_.items[item];

@@ -30,7 +30,7 @@ int Habits::curtained_by(int item) const {
 
 // Several of a kind of which the same is said (hooks above a bench, three pictures) hang side by side at one height.
 bool Habits::hang_in_row(int item) {
-  constexpr Mm kLeastAir = 80, kMostAir = 250, kBetweenSeats = 300;
+  constexpr Mm kLeastAir = 80, kMostAir = 250, kBetweenSeats = 450;
   constexpr int kInRow = 400;
   const auto said_of = [&](int i) {
     std::vector<std::pair<RelationType, std::vector<std::string>>> said;
@@ -54,11 +54,12 @@ bool Habits::hang_in_row(int item) {
   if (before < 0) return false;
   const Item& self = model_.items[item];
   // Who sits before each of them needs more width than they.
+  const Mm air = std::clamp(self.states[0].size.width / 2, kLeastAir, kMostAir);
   const auto width_of = [&](int i) {
     const int seat = seat_facing(i);
-    return std::max(model_.items[i].states[0].size.width, seat < 0 ? 0 : model_.items[seat].states[0].size.width + kBetweenSeats);
+    return std::max(model_.items[i].states[0].size.width + air, seat < 0 ? 0 : model_.items[seat].states[0].size.width + kBetweenSeats);
   };
-  const Mm pitch2 = width_of(item) + width_of(before) + 2 * std::clamp(self.states[0].size.width / 2, kLeastAir, kMostAir);
+  const Mm pitch2 = width_of(item) + width_of(before);
   Formula f;
   for (const RoomWall& wall : model_.walls) {
     if (!wall.straight) continue;
@@ -105,7 +106,9 @@ int Habits::seat_facing(int item) const {
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     const int seat = static_cast<int>(i);
     if (!model_.items[i].is(Trait::kSeat) && !model_.items[i].is(Trait::kEasySeat)) continue;
-    if (related_as_target(seat, item, RelationType::kFacing) || (is_wall_mirror(item) && usual_mirror_of(seat) == item)) return seat;
+    if (related_as_target(seat, item, RelationType::kFacing) || is_told_before_mirror(seat, item) ||
+        (is_wall_mirror(item) && usual_mirror_of(seat) == item))
+      return seat;
   }
   return -1;
 }
@@ -140,19 +143,21 @@ void Habits::hang_before_table(Formula& f, int item, int table) {
   }
 }
 
-// Cupboards and desks do not stand before a board or a screen that all look at, nor beds, sofas and chairs under a television.
+// Cupboards and desks do not stand before a board or a screen that all look at, nor beds, sofas and chairs under a television, nor basins
+// under the mirror that a barber's chair is before.
 void Habits::leave_free_before(int item) {
   constexpr Mm kBefore = 800;
   constexpr int kFree = 400, kOverRun = 120;  // points a metre
   const Item& self = model_.items[item];
-  if (!self.is(Trait::kScreen)) return;
-  const bool board = !self.is(Trait::kElseOnWall);
+  const bool mirror = is_wall_mirror(item) && seat_facing(item) >= 0;
+  if (!self.is(Trait::kScreen) && !mirror) return;
+  const bool board = mirror || !self.is(Trait::kElseOnWall);
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     const int other = static_cast<int>(i);
     const Item& ref = model_.items[i];
     if (ref.is_opening() || ref.mount != Mount::kFloor) continue;
     const bool sits_under = !board && (ref.is(Trait::kSeat) || ref.is(Trait::kEasySeat)) && !placed_by_relation(other);
-    if (!ref.entry->back_to_wall && !sits_under) continue;
+    if ((!ref.entry->back_to_wall && !sits_under) || (mirror && ref.entry->top_carries)) continue;
     // A visitor's chair, an armchair that goes to nothing: nobody sits with the head under it.
     const bool loose = sits_under && usual_hosts(other).empty();
     const bool cooked_at = ref.is(Trait::kKitchenRun) && !related(item, other);  // nor over a kitchen's worktop

@@ -13,6 +13,12 @@ constexpr int kAtHand = 80, kSpot = 40, kScreensInLine = 150;
 
 }  // namespace
 
+// The side farthest from who uses what stands there, and the one to their right: of a desk that is sat behind the farthest is its front.
+std::pair<Side, Side> Habits::sides_on(int host, bool screen) const {
+  if (screen && model_.items[host].has_front && is_sat_behind(host)) return {Side::kFront, Side::kLeft};
+  return {Side::kBack, Side::kRight};
+}
+
 // What stands on something looks the way that looks; screens stand in its middle, the rest is spread over it.
 void Habits::sit_on_host(int item) {
   const Item& self = model_.items[item];
@@ -23,6 +29,7 @@ void Habits::sit_on_host(int item) {
     const std::optional<Spot> spot = screen ? spot_of_screen(item, support.item) : spot_on(item, support.item);
     const int user = self.is(Trait::kMonitor) ? seat_told_to_be_at(support.item, rank_of(item)) : -1;
     if (user >= 0) look_at_user(item, user);
+    const std::pair<Side, Side> sides = sides_on(support.item, screen);
     Formula f;
     for_each_turn(host, [&](int turn, std::uint64_t states) {
       Case& c = f.add().when(support.item, states);
@@ -30,7 +37,7 @@ void Habits::sit_on_host(int item) {
       const bool for_staff = is_served_over(support.item);
       const bool towards_seat = for_staff || (screen && (used_side(host) == Side::kBack || is_sat_behind(support.item)));
       if (self.has_front && user < 0) c.when(item, self.states_at((turn + (towards_seat ? 180 : 0)) % 360));
-      const Direction back = side_direction(host, Side::kBack, turn), right = side_direction(host, Side::kRight, turn);
+      const Direction back = side_direction(host, sides.first, turn), right = side_direction(host, sides.second, turn);
       if (spot) c.wish(mid2(item, right.axis) - mid2(support.item, right.axis) - Linear(right.sign * spot->right2), screen ? 80 : kSpot, 2);
       if (spot && spot->back2) {
         c.wish(mid2(item, back.axis) - mid2(support.item, back.axis) - Linear(back.sign * *spot->back2), kSpot, 2);
@@ -161,7 +168,7 @@ bool Habits::lie_at_hand(int item, int host) {
   if (!mouse && !model_.items[item].is(Trait::kKeyboard)) return false;
   const Item& desk = model_.items[host];
   if (!desk.has_front) return false;
-  const Side used = used_side(desk) == Side::kBack ? Side::kBack : Side::kFront;
+  const Side used = used_side(desk) == Side::kBack || is_sat_behind(host) ? Side::kBack : Side::kFront;
   const int keys = mouse ? rider_that_is(Trait::kKeyboard, host) : -1, screen = rider_that_is(Trait::kMonitor, host);
   Formula f;
   for_each_turn(desk, [&](int turn, std::uint64_t states) {

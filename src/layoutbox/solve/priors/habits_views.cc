@@ -16,12 +16,23 @@ std::uint64_t states_looking(const Item& item, Direction direction) {
 // it stands; -1: none.
 int Habits::mirror_of(int item) const {
   const Item& self = model_.items[item];
-  if ((!self.is(Trait::kSeat) && !self.is(Trait::kEasySeat)) || !self.has_front || placed_besides_facing(item)) return -1;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    if (is_wall_mirror(static_cast<int>(i)) && related_as_target(item, static_cast<int>(i), RelationType::kFacing))
-      return static_cast<int>(i);
+  if ((!self.is(Trait::kSeat) && !self.is(Trait::kEasySeat)) || !self.has_front) return -1;
+  int told = -1;
+  for (std::size_t i = 0; i < model_.items.size() && told < 0; ++i) {
+    if (is_told_before_mirror(item, static_cast<int>(i))) told = static_cast<int>(i);
   }
-  return usual_mirror_of(item);
+  const auto elsewhere = [&](const Relation* r) {
+    const bool target = std::ranges::find(r->targets, self.id) != r->targets.end();
+    return target && !traits_of(r->type).turns && (told < 0 || r->references != std::vector<std::string>{model_.items[told].id});
+  };
+  if (std::ranges::any_of(said_of(item), elsewhere)) return -1;
+  return told >= 0 ? told : usual_mirror_of(item);
+}
+
+// "Facing the mirror", or in front of it, which says the same of a seat.
+bool Habits::is_told_before_mirror(int seat, int mirror) const {
+  return is_wall_mirror(mirror) && (related_as_target(seat, mirror, RelationType::kFacing) ||
+                                    (model_.items[seat].is(Trait::kSeat) && related_as_target(seat, mirror, RelationType::kInFrontOf)));
 }
 
 bool Habits::is_wall_mirror(int item) const { return model_.items[item].is(Trait::kMirror) && model_.items[item].mount == Mount::kWall; }
@@ -53,7 +64,7 @@ bool Habits::sit_before_mirror(int item) {
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     if (!model_.items[i].is_opening() && mirror_of(static_cast<int>(i)) == mirror) seats.push_back(static_cast<int>(i));
   }
-  sit_in_row(item, mirror, {.name = "before its mirror", .side = Side::kFront, .seats = std::move(seats), .between = 450, .off = 500});
+  sit_in_row(item, mirror, {.name = "before its mirror", .side = Side::kFront, .seats = std::move(seats), .between = 450, .off = 650});
   return true;
 }
 
