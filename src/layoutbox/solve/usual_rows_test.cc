@@ -96,5 +96,14 @@ TEST(UsualGroups, SeveralTablesInTheMiddleStandInRows) {
   }
 }
 
+// A window is nothing that one sits at.
+TEST(UsualGroups, SeveralSeatsInFrontOfAWindow) {
+  SceneMaker maker(5000, 4000);
+  maker.add("chair", 3).add("table").opening(OpeningType::kWindow, "wall3", 1800, 1600, 900, 1200);
+  for (const char* chair : {"chair_1", "chair_2", "chair_3"}) maker.relate("inFrontOf", {chair}, {"window1"});
+  const Layout layout = solved_as_asked(maker.make(true));
+  for (const char* chair : {"chair_1", "chair_2", "chair_3"}) EXPECT_GT(layout.find_object(chair)->position[1], 2000) << chair;
+}
+
 }  // namespace
 }  // namespace layoutbox::placement

@@ -153,6 +153,7 @@ bool Habits::told_short_side(int item, int host) const {
 bool Habits::sit_in_row(int item, int host, RelationType how) {
   const RelationSet in_front(how, RelationType::kFacing, RelationType::kCenteredOn);
   const bool along = how == RelationType::kAlongSide;
+  if (model_.items[host].is_opening()) return false;
   if (!model_.items[item].is(Trait::kTableSeat) || (!along && !model_.items[host].has_front)) return false;
   std::vector<int> seats;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
