@@ -41,6 +41,7 @@ Groups read_groups() {
     groups.seatings.push_back({value.at("at").get<std::string>(), value.at("seat").get<std::string>(), strings(value, "rooms"),
                                value.value("comes", false), value.value("seats", 0), sizes(value, "sizes"), sizes(value, "round")});
   }
+  groups.oval = data.at("oval").get<int>();
   for (const Json& value : data.at("companions")) {
     groups.companions.push_back({value.at("of").get<std::string>(), value.at("adds").get<std::string>(), value.value("each", 1),
                                  value.value("anywhere", false), strings(value, "unless"), strings(value, "rooms"),

@@ -71,6 +71,7 @@ struct RoomByContents {
 
 struct Groups {
   std::vector<Seating> seatings;         // special kinds first
+  int oval = 0;                          // so many sit all round an oval table, more of them along its sides
   std::vector<Companion> companions;     // in this order
   std::vector<ZoneUse> zones;            // special ones first
   std::vector<RoomByContents> contents;  // the first that fits

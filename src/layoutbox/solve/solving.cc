@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "layoutbox/solve/conflict/locks.h"
 #include "layoutbox/solve/conflict/relax.h"
 #include "layoutbox/solve/cp_sat/library.h"
 #include "layoutbox/solve/objective/cost.h"
-#include "layoutbox/solve/priors/guide.h"
 #include "layoutbox/solve/search/quick.h"
 #include "layoutbox/solve/search/search.h"
 

@@ -13,29 +13,16 @@
 #include "layoutbox/plan/offline/document.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/relation_builder.h"
-#include "layoutbox/plan/offline/relation_words.h"
+#include "layoutbox/plan/offline/relation_writer.h"
 
 namespace layoutbox::offline {
 
-class RelationBuilder {
+class RelationBuilder : private RelationWriter {
  public:
-  RelationBuilder(const Lexicon& lexicon, Document& document, SceneGraph& scene)
-      : catalog_(lexicon.catalog()), document_(document), scene_(scene), words_(document.tokens) {
-    for (std::size_t i = 0; i < scene_.objects.size(); ++i) objects_.emplace(scene_.objects[i].id, i);
-  }
+  using RelationWriter::RelationWriter;
   void run();
 
  private:
-  const Mention& mention(int m) const { return document_.mentions[static_cast<std::size_t>(m)]; }
-  // The relations that place the object, by their numbers.
-  const std::vector<std::size_t>& relations_of(const std::string& object) const;
-  const SceneObject* object_of(const std::string& object) const;
-  const std::string& id(int item) const { return scene_.objects[static_cast<std::size_t>(item)].id; }
-  const NounPhrase& noun_of_item(int item) const { return document_.items[static_cast<std::size_t>(item)].noun; }
-  void add(const Link& link, RelationType type, std::vector<std::string> targets, std::vector<std::string> references,
-           const PhraseSense& sense = {});
-  std::vector<std::string> ids(const std::vector<int>& items) const;
-  std::vector<int> items_of(const std::vector<int>& mentions) const;
   // What relativeTo says for a reference that is a part of the room.
   std::vector<std::string> room_reference(const NounPhrase& noun, RelationType type) const;
   mutable std::unordered_map<std::size_t, std::string> wall_of_;  // which wall a mention of one by its length means, by its first token
@@ -57,7 +44,6 @@ class RelationBuilder {
   void add_relations_to(const Link& link, const std::vector<int>& targets, const Mention& reference_mention);
   void add_rows();
   void add_stacks();
-  void add_two_rows(const Link& link, std::vector<std::string> targets);
   void add_clusters();
   bool look_at_one_thing(const Mention& mention) const;
   void set_heights();
@@ -141,7 +127,6 @@ class RelationBuilder {
   void add_corners(const Link& link, const Mention& target, const NounPhrase& corner);
   bool is_placed(int item) const;
   void keep_standing(std::vector<int>& items) const;
-  void keep_two_that_stand(std::vector<std::string>& objects) const;
   bool is_placed_apart(const std::vector<int>& items, bool of_table = false) const;
   bool is_related(int item, int other) const;
   // What a thing has: on it, in it, at it, by it, as the two allow.
@@ -216,9 +201,6 @@ class RelationBuilder {
   void hang_mirrors_over_counters();
   void share_doors();
   void hang_bed_curtains();
-  bool is_used_within(const SceneObject& object, const SceneObject& other) const;
-  bool is_said_within(const Link& link, RelationType type, const std::vector<std::string>& targets,
-                      const std::vector<std::string>& references) const;
   void hang_within();
   bool is_eaten_at(const NounPhrase& noun) const;
   void seat_those_who_wait();
@@ -234,7 +216,6 @@ class RelationBuilder {
   void sit_before_mirrors();
   void stand_under_counters();
   bool is_only_table(std::size_t index) const;
-  const NounPhrase& noun_of_object(const SceneObject& object) const;
   // How a thing is held where the relations say otherwise than its kind.
   bool settle_on_floor(SceneObject& object, const NounPhrase& noun);
   bool settle_tall(SceneObject& object, const NounPhrase& noun);
@@ -243,8 +224,6 @@ class RelationBuilder {
   void leave_middle_to_rows();
   void make_room_between();
   void seat_in_reach(const std::vector<std::pair<std::string, std::string>>& in_reach);
-  bool repeats_known(const Link& link, RelationType type, const std::vector<std::string>& targets,
-                     const std::vector<std::string>& references, const PhraseSense& sense);
   // Small things and the tables that the lamps above them hang over.
   std::vector<std::pair<std::size_t, std::string>> lit_on_tables() const;
   void center_on_walls();
@@ -284,16 +263,8 @@ class RelationBuilder {
   void soften_overhead();
   void stand_before_glass();
   void note_contradictions();
-  const Catalog& catalog_;
-  Document& document_;
-  SceneGraph& scene_;
-  RelationWords words_;
   std::vector<std::pair<std::string, Mm>> heights_;
-  std::unordered_set<int> on_floor_;  // mentions that are told to be there: "… and a basket on the floor"
-  // Where in scene_.relations things stand; keeps long texts linear. By what they say, and by each target.
-  std::unordered_map<std::string, std::size_t> known_;
-  std::unordered_map<std::string, std::vector<std::size_t>> of_target_;
-  std::unordered_map<std::string, std::size_t> objects_;
+  std::unordered_set<int> on_floor_;    // mentions that are told to be there: "… and a basket on the floor"
   std::vector<std::size_t> sentences_;  // of each token
 };
 

@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <iterator>
 
+#include "layoutbox/catalog/groups.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
 #include "layoutbox/plan/offline/word_sets.h"
 #include "layoutbox/scene/relation_traits.h"
@@ -175,8 +177,8 @@ bool RelationBuilder::is_tall_end(const Link& link, int target) const {
 // In a ring where nothing has sides; spread over the sides of a table.
 bool RelationBuilder::in_ring(const std::vector<int>& targets, const std::vector<int>& references) const {
   const NounPhrase& host = noun_of_item(references.front());
-  constexpr std::size_t kOval = 8;  // more of them at one that is no circle stand along its sides
-  const auto is_round = [&](const std::string& a) { return one_of(a, WordSet::kAllRound) || (a == "oval" && targets.size() <= kOval); };
+  const bool few = std::ssize(targets) <= Groups::builtin().oval;
+  const auto is_round = [&](const std::string& a) { return one_of(a, WordSet::kAllRound) || (a == "oval" && few); };
   const bool round = std::any_of(host.attributes.begin(), host.attributes.end(), is_round);
   return (round || !is_table(catalog_, host)) && targets.size() >= 3 * references.size();
 }

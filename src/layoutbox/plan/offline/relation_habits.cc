@@ -321,8 +321,4 @@ bool RelationBuilder::is_only_table(std::size_t index) const {
          index < document_.items.size();
 }
 
-const NounPhrase& RelationBuilder::noun_of_object(const SceneObject& object) const {
-  return document_.items[static_cast<std::size_t>(&object - scene_.objects.data())].noun;
-}
-
 }  // namespace layoutbox::offline

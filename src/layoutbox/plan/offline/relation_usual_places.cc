@@ -205,17 +205,6 @@ void RelationBuilder::share_doors() {
   }
 }
 
-// Does it hang on a wall and is used there, in the room that the other leaves: a seat in a shower?
-bool RelationBuilder::is_used_within(const SceneObject& object, const SceneObject& other) const {
-  const CatalogEntry *thing = catalog_.find(object.category), *host = catalog_.find(other.category);
-  if (thing == nullptr || host == nullptr || thing->mount != Mount::kWall || thing->used_sides.empty()) return false;
-  const Size& size = thing->size.usual;
-  return std::ranges::any_of(spaces_at(*host, host->size.usual), [&](const Space& space) {
-    return space.max[0] - space.min[0] >= size.width && space.max[1] - space.min[1] >= size.depth && space.min[2] <= thing->hang_height &&
-           space.max[2] >= thing->hang_height + size.height;
-  });
-}
-
 // "a shower, a fold-down seat, grab rails": of which nothing is said it is within that.
 void RelationBuilder::hang_within() {
   for (const SceneObject& thing : scene_.objects) {

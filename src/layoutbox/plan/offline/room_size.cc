@@ -1,32 +1,29 @@
 // The size of the room: "4 x 3 m", "20 square meters", "ceilings 3 m high".
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <utility>
 
 #include "layoutbox/plan/offline/bare_sides.h"
 #include "layoutbox/plan/offline/room_reader.h"
+#include "layoutbox/plan/offline/size_owner.h"
 #include "layoutbox/plan/offline/splice.h"
 
 namespace layoutbox::offline {
 namespace {
 
-bool has_class(const Match& match, WordClass word_class) {
-  return std::any_of(match.meanings.begin(), match.meanings.end(), [&](const Meaning& m) { return m.word_class == word_class; });
-}
-
 constexpr double kLongestSide = 100;                       // m, as in scene files
-constexpr double kSmallestRoom = 4;                        // m²: less is a thing's size where one was named
-constexpr double kSmallestAfterRoom = 1.6;                 // m²: "wc 0.9 x 1.8 m", right after the room
 constexpr double kNarrowest = 1.2, kNarrowestOfTwo = 0.8;  // m: of a side said alone, and of two
 constexpr double kLowestCeiling = 1.2;                     // m
-constexpr std::size_t kLookBack = 100;                     // tokens looked back; keeps endless sentences linear
-constexpr std::size_t kEarly = 12;                         // tokens: a size so early is the room's unless a thing claims it
 
 class SizeReader {
  public:
   SizeReader(const Lexicon& lexicon, Document& document, std::vector<bool>& skip, std::vector<Splice>& commas)
-      : lexicon_(lexicon), document_(document), tokens_(document.tokens), skip_(skip), commas_(commas) {}
+      : lexicon_(lexicon),
+        document_(document),
+        tokens_(document.tokens),
+        skip_(skip),
+        commas_(commas),
+        owner_(lexicon, document.tokens, size_) {}
 
   RoomSize run() {
     for (std::size_t i = 3; i + 1 < tokens_.size(); ++i) settle_for(i);
@@ -78,96 +75,6 @@ class SizeReader {
     return read->last - at;
   }
 
-  // Whether a size at [first, last) is the room's: a room follows, or is the last thing that was named before it.
-  // `sides`: what it says, in metres; what is far too large for a thing is no size of that ("a desk and a bookshelf, 3 x 4 m").
-  bool speaks_of_room(std::size_t first, std::size_t last, const std::vector<double>& sides = {}) const {
-    if (follows_room(first) && sides.size() >= 2 && sides[0] * sides[1] >= kSmallestAfterRoom) return true;
-    for (std::size_t i = last; i < std::min(last + 4, tokens_.size()); ++i) {
-      if (tokens_[i].kind == Token::Kind::kPunctuation) break;
-      const Match match = lexicon_.find(tokens_, i);
-      if (has_class(match, WordClass::kHave) || has_class(match, WordClass::kBe) || lexicon_.find_phrase(tokens_, i).length > 0) break;
-      if (has_class(match, WordClass::kRoom) || has_class(match, WordClass::kRoomNoun)) return true;
-      if (has_class(match, WordClass::kObject)) return false;
-    }
-    // "…, hamper, ironing board, 6 feet by 5 feet": what the text closes with
-    const bool closes =
-        first > 0 && tokens_[first - 1].text == "," &&
-        std::ranges::all_of(tokens_ | std::views::drop(last), [](const Token& t) { return t.kind == Token::Kind::kPunctuation; });
-    constexpr double kWidestDoor = 2, kHighestGlass = 2.7;  // m, where it is as wide
-    const bool no_opening = sides.size() >= 2 && std::min(sides[0], sides[1]) > (closes ? kWidestDoor : kHighestGlass);
-    const double smallest = closes && size_.width == 0 ? kSmallestAfterRoom : kSmallestRoom;
-    std::size_t begin = first;
-    while (begin > 0 && first - begin < kLookBack && !tokens_[begin - 1].ends_sentence) --begin;
-    const std::vector<Named> named = named_in(begin, first);
-    for (const Named& name : std::views::reverse(named)) {
-      if (has_class(name.match, WordClass::kRoom) || has_class(name.match, WordClass::kRoomNoun)) return !fits_thing_before(name.at, sides);
-      const bool for_thing = sides.size() >= 2 && sides[0] * sides[1] < smallest;  // "a mat of 2 x 1.5 m"
-      const bool in_centimetres = name.at + name.match.length == first && says_centimetres(first);
-      if (has_class(name.match, WordClass::kObject) && (for_thing || in_centimetres || !beyond(name.match, sides))) return false;
-      if ((has_class(name.match, WordClass::kWindow) || has_class(name.match, WordClass::kDoor)) && !no_opening)
-        return false;  // "a wall's windows, each 1.5 m wide"
-    }
-    return size_.width == 0 && (first < kEarly || too_large_for_last_thing(begin, sides, smallest));
-  }
-
-  // "a table 80x60": of a thing no feet.
-  bool says_centimetres(std::size_t at) const {
-    constexpr double kFewest = 30;
-    const SidesRead read = read_sides(lexicon_, tokens_, at);
-    return !read.united && !read.numbers.empty() && *std::ranges::min_element(read.numbers) >= kFewest;
-  }
-
-  // "Leave an open space of 6 by 8 for stretching": a part of the floor.
-  bool says_free_floor(std::size_t size) const {
-    constexpr std::size_t kWords = 5;
-    for (std::size_t back = 1; back <= std::min(size, kWords) && !tokens_[size - back].ends_sentence; ++back) {
-      if (has_class(lexicon_.find(tokens_, size - back), WordClass::kRoomNoun)) return is_left_free(size - back);
-    }
-    return false;
-  }
-
-  bool is_left_free(std::size_t space) const {
-    constexpr std::size_t kWords = 4;
-    for (std::size_t back = 1; back <= std::min(space, kWords) && !tokens_[space - back].ends_sentence; ++back) {
-      const std::string& word = tokens_[space - back].text;
-      if (word == "leave" || word == "leaving" || word == "keep" || word == "keeping" || word == "reserve") return true;
-    }
-    return false;
-  }
-
-  // "bathroom 2x2.5 shower, toilet": right after the room.
-  bool follows_room(std::size_t at) const {
-    constexpr std::size_t kLongestName = 3;  // words
-    for (std::size_t back = 1; back <= std::min(at, kLongestName) && !tokens_[at - back].ends_sentence; ++back) {
-      const Match match = lexicon_.find(tokens_, at - back);
-      if (match.length == back && (has_class(match, WordClass::kRoom) || has_class(match, WordClass::kRoomNoun))) return true;
-    }
-    return false;
-  }
-
-  // What is named in a stretch of text, compounds whole: a camper van is no van.
-  struct Named {
-    std::size_t at = 0;
-    Match match;
-  };
-  std::vector<Named> named_in(std::size_t begin, std::size_t end) const {
-    std::vector<Named> named;
-    for (std::size_t i = begin; i < end;) {
-      named.push_back({i, lexicon_.find(tokens_, i)});
-      i += std::max<std::size_t>(named.back().match.length, 1);
-    }
-    return named;
-  }
-
-  // "A bed and a wardrobe. Size 4 x 3.5 m.": the floor of a room, and far more than the thing named last before that sentence can take.
-  bool too_large_for_last_thing(std::size_t begin, const std::vector<double>& sides, double smallest) const {
-    if (sides.size() < 2 || sides[0] * sides[1] < smallest) return false;
-    for (const Named& name : std::views::reverse(named_in(begin > kLookBack ? begin - kLookBack : 0, begin))) {
-      if (has_class(name.match, WordClass::kObject)) return beyond(name.match, sides);
-    }
-    return true;
-  }
-
   // A second size: of the other part of an L, or one that contradicts the first.
   std::size_t read_second(std::size_t at, std::size_t length, const std::vector<double>& sides) {
     constexpr double kSame = 0.01;
@@ -197,32 +104,6 @@ class SizeReader {
     size_.width += width;
   }
 
-  // Do the first two sides make several times the floor that the largest such thing takes?
-  static bool beyond(const Match& match, const std::vector<double>& sides) {
-    constexpr double kTimes = 2.5;
-    return sides.size() >= 2 && std::all_of(match.meanings.begin(), match.meanings.end(), [&](const Meaning& m) {
-             if (m.word_class != WordClass::kObject || m.entry == nullptr) return true;
-             const Size& most = m.entry->size.greatest;
-             return sides[0] * sides[1] > kTimes * m_from_mm(most.width) * m_from_mm(most.depth);
-           });
-  }
-
-  // "A table in the middle of the room, 1.6 by 0.9 m": what is too small for a room and right for what the sentence spoke of before.
-  bool fits_thing_before(std::size_t end, const std::vector<double>& sides) const {
-    constexpr double kMore = 1.1;
-    if (sides.size() < 2 || sides[0] * sides[1] >= kSmallestRoom) return false;
-    for (std::size_t i = end; i-- > 0 && !tokens_[i].ends_sentence;) {
-      for (const Meaning& m : lexicon_.find(tokens_, i).meanings) {
-        if (m.word_class != WordClass::kObject || m.entry == nullptr) continue;
-        const Size& most = m.entry->size.greatest;
-        const double longer = kMore * m_from_mm(std::max(most.width, most.depth)),
-                     other = kMore * m_from_mm(std::min(most.width, most.depth));
-        if (std::max(sides[0], sides[1]) <= longer && std::min(sides[0], sides[1]) <= other) return true;
-      }
-    }
-    return false;
-  }
-
   // "Room is 4 meter and 3 meter.": both with their unit and no word for which is which; "10 on 8 meters".
   SidesRead read_two_joined(std::size_t at) const {
     auto one = read_measure(lexicon_, tokens_, at);
@@ -249,13 +130,13 @@ class SizeReader {
     if (read.sides.empty()) read = read_two_joined(at);
     const std::vector<double>& values = read.sides;
     const std::size_t length = read.length;
-    if (!values.empty() && says_free_floor(at)) {
+    if (!values.empty() && owner_.says_free_floor(at)) {
       document_.notes.push_back({"ignored", "no such part of the floor is kept free: \"" + words_between(document_, at, at + length) + "\"",
                                  "prompt:" + std::to_string(tokens_[at].begin) + "-" + std::to_string(tokens_[at + length - 1].end)});
       take(at, at + length, "size of a free floor");
       return length;
     }
-    if (values.empty() || !speaks_of_room(at, at + length, values)) return 0;
+    if (values.empty() || !owner_.speaks_of_room(at, at + length, values)) return 0;
     const auto impossible = [](double side) { return side == 0 || side > kLongestSide; };
     size_.impossible = size_.impossible || std::any_of(values.begin(), values.end(), impossible);
     if (values[0] < 0.8 || values[1] < 0.8) return 0;
@@ -282,15 +163,8 @@ class SizeReader {
 
   // "living room 3.2 x 3.8 m sofa, …": what follows is no part of the room's name.
   void end_phrase(std::size_t first, std::size_t last) {
-    if (last >= tokens_.size() || !follows_room(first) || lexicon_.find(tokens_, last, WordClass::kObject).length == 0) return;
+    if (last >= tokens_.size() || !owner_.follows_room(first) || lexicon_.find(tokens_, last, WordClass::kObject).length == 0) return;
     commas_.push_back({last, comma_token()});
-  }
-
-  // "my dorm room: bed, desk, fridge, 10 sqm": an item of its own is no thing's floor.
-  bool stands_alone(std::size_t first, std::size_t last) const {
-    const auto parts = [&](std::size_t i) { return tokens_[i].kind == Token::Kind::kPunctuation; };
-    return (first == 0 || parts(first - 1) || tokens_[first - 1].ends_sentence) &&
-           (last >= tokens_.size() || parts(last) || tokens_[last - 1].ends_sentence);
   }
 
   std::size_t read_area(std::size_t at) {
@@ -311,7 +185,7 @@ class SizeReader {
       return 0;
     }
     const double side = std::sqrt(tokens_[at].number * scale);
-    if (!stands_alone(at, at + length) && !speaks_of_room(at, at + length, {side, side})) return 0;
+    if (!owner_.stands_alone(at, at + length) && !owner_.speaks_of_room(at, at + length, {side, side})) return 0;
     size_.area = tokens_[at].number * scale;
     take(at, at + length, "area of the room");
     return length;
@@ -385,7 +259,7 @@ class SizeReader {
     if (length == 0) return 0;
     const bool second = other_side_ > 0;  // of two sides that were said of the room
     const std::vector<double> sides = sides_from(at, length, said);
-    if (!second && !speaks_of_room(at, at + length, sides)) {
+    if (!second && !owner_.speaks_of_room(at, at + length, sides)) {
       other_side_ = 0;
       return 0;
     }
@@ -406,6 +280,7 @@ class SizeReader {
   std::vector<bool>& skip_;
   std::vector<Splice>& commas_;  // behind sizes that a thing follows
   RoomSize size_;
+  SizeOwner owner_;
   double other_side_ = 0;  // that the side read last was said together with
   bool l_shaped_ = false;
 };

@@ -5,167 +5,12 @@
 #include <charconv>
 #include <utility>
 
+#include "layoutbox/plan/offline/american_spelling.h"
+#include "layoutbox/plan/offline/letters.h"
+#include "layoutbox/plan/offline/list_marks.h"
+
 namespace layoutbox::offline {
 namespace {
-
-// Signs outside ASCII and what they mean here.
-constexpr std::array<std::pair<std::string_view, char>, 35> kSigns = {{
-    {"\u2018", '\''}, {"\u2019", '\''}, {"\u02BC", '\''}, {"\u201C", '"'}, {"\u201D", '"'}, {"\u2032", '\''}, {"\u2033", '"'},
-    {"\u2013", '-'},  {"\u2014", ','},  {"\u2010", '-'},  {"\u2011", '-'}, {"\u2212", '-'}, {"\u00D7", 'x'},  {"\u2715", 'x'},
-    {"\u2192", ':'},  {"\u2A2F", 'x'},  {"\u2026", '.'},  {"\u00A0", ' '}, {"\u202F", ' '}, {"\u2009", ' '},  {"\u2022", ';'},
-    {"\u00BD", 'h'},  {"\u00B2", '2'},  {"\u00A3", '$'},  {"\u20AC", '$'}, {"\u00A5", '$'},  // then marks of list items
-    {"\u2713", ';'},  {"\u2714", ';'},  {"\u2610", ';'},  {"\u2611", ';'}, {"\u25AA", ';'}, {"\u25CF", ';'},  {"\u25B8", ';'},
-    {"\u25A0", ';'},  {"\u27A4", ';'},
-}};
-
-// Letters with accents, folded to plain ones.
-constexpr std::array<std::pair<std::string_view, char>, 16> kAccents = {{
-    {"\u00E9", 'e'},
-    {"\u00E8", 'e'},
-    {"\u00EA", 'e'},
-    {"\u00EB", 'e'},
-    {"\u00E0", 'a'},
-    {"\u00E2", 'a'},
-    {"\u00E4", 'a'},
-    {"\u00E1", 'a'},
-    {"\u00F6", 'o'},
-    {"\u00F4", 'o'},
-    {"\u00F3", 'o'},
-    {"\u00FC", 'u'},
-    {"\u00FB", 'u'},
-    {"\u00EE", 'i'},
-    {"\u00EF", 'i'},
-    {"\u00E7", 'c'},
-}};
-
-struct Letter {
-  char value = 0;
-  std::size_t size = 1;
-};
-
-// Emoji, dingbats and what joins or varies them: they part words and say nothing.
-bool is_picture_sign(std::string_view sign) {
-  static constexpr std::array<std::string_view, 7> kBlocks = {"\xF0\x9F", "\xE2\x98", "\xE2\x99",    "\xE2\x9C",
-                                                              "\xE2\x9D", "\xEF\xB8", "\xE2\x80\x8D"};
-  return std::ranges::any_of(kBlocks, [&](std::string_view block) { return sign.starts_with(block); });
-}
-
-Letter letter_at(std::string_view text, std::size_t at) {
-  const char c = text[at];
-  if (static_cast<unsigned char>(c) < 0x80) {
-    if (c == '`') return {'\'', 1};
-    return {c, 1};
-  }
-  for (const auto& [sign, value] : kSigns) {
-    if (text.substr(at).starts_with(sign)) return {value, sign.size()};
-  }
-  for (const auto& [sign, value] : kAccents) {
-    if (text.substr(at).starts_with(sign)) return {value, sign.size()};
-  }
-  std::size_t size = 1;
-  while (at + size < text.size() && (static_cast<unsigned char>(text[at + size]) & 0xC0) == 0x80) ++size;
-  return {is_picture_sign(text.substr(at, size)) ? ' ' : '~', size};  // another script: a word of its own
-}
-
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '~'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
-// British spellings whose American twin is what the word lists have.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 36> kSpellings = {{
-    {"colour", "color"},
-    {"coloured", "colored"},
-    {"colourful", "colorful"},
-    {"grey", "gray"},
-    {"centre", "center"},
-    {"centred", "centered"},
-    {"centres", "centers"},
-    {"storeys", "stories"},
-    {"metre", "meter"},
-    {"metres", "meters"},
-    {"cosy", "cozy"},
-    {"centimetre", "centimeter"},
-    {"centimetres", "centimeters"},
-    {"millimetre", "millimeter"},
-    {"millimetres", "millimeters"},
-    {"theatre", "theater"},
-    {"jewellery", "jewelry"},
-    {"moulding", "molding"},
-    {"plough", "plow"},
-    {"aluminium", "aluminum"},
-    {"organiser", "organizer"},
-    {"mouldings", "moldings"},
-    {"catalogue", "catalog"},
-    {"centrepiece", "centerpiece"},
-    {"grilles", "grills"},
-    {"kerb", "curb"},
-    {"neighbouring", "neighboring"},
-    {"rigourous", "rigorous"},
-    {"draught", "draft"},
-    {"tyre", "tire"},
-    {"tyres", "tires"},
-    {"pyjama", "pajama"},
-    {"storey", "story"},
-    {"favourite", "favorite"},
-    {"parallelled", "paralleled"},
-    {"armour", "armor"},
-}};
-
-void finish_word(Token& token) {
-  for (const auto& [british, american] : kSpellings) {
-    if (token.text == british) token.text = american;
-  }
-}
-
-// "… wall 2) desk": a number of a list within a line, where no bracket is open.
-bool is_inline_number(std::string_view prompt, std::size_t at, std::size_t end) {
-  constexpr std::size_t kReach = 80;
-  if (end >= prompt.size() || prompt[end] != ')' || at == 0 || prompt[at - 1] != ' ') return false;
-  const std::string_view before = prompt.substr(at > kReach ? at - kReach : 0, std::min(at, kReach));
-  const std::size_t open = before.rfind('(');
-  return open == std::string_view::npos || before.find(')', open) != std::string_view::npos;
-}
-
-// "(1) desk; … (2) table": the bytes of a number that goes on with a list, after the end of a sentence. Not "bed. (2) nightstands".
-std::size_t bracketed_list_number(std::string_view prompt, std::size_t at) {
-  constexpr std::size_t kReach = 600, kLength = 4;
-  if (at + kLength > prompt.size() || prompt[at] != '(' || !is_digit(prompt[at + 1]) || prompt.substr(at + 2, 2) != ") ") return 0;
-  const char number = prompt[at + 1];
-  const std::size_t end = prompt.substr(0, at).find_last_not_of(" \t\r");
-  if (end != std::string_view::npos && std::string_view(".;:!?\n").find(prompt[end]) == std::string_view::npos) return 0;
-  const std::string other = {'(', static_cast<char>(number == '1' ? '2' : number - 1), ')', ' '};
-  const std::string_view where =
-      number == '1' ? prompt.substr(at + kLength, kReach) : prompt.substr(at > kReach ? at - kReach : 0, std::min(at, kReach));
-  return where.find(other) != std::string_view::npos ? kLength - 1 : 0;
-}
-
-// "1." or "2)" at the beginning of a line, or "2)" within one: the bytes it takes, else 0.
-std::size_t list_number(std::string_view prompt, std::size_t at) {
-  if (const std::size_t bracketed = bracketed_list_number(prompt, at); bracketed > 0) return bracketed;
-  std::size_t back = at;
-  while (back > 0 && (prompt[back - 1] == ' ' || prompt[back - 1] == '\t')) --back;
-  const bool within = back > 0 && prompt[back - 1] != '\n';
-  std::size_t i = at;
-  while (i < prompt.size() && is_digit(prompt[i])) ++i;
-  if (within && !is_inline_number(prompt, at, i)) return 0;
-  if (i == at || i > at + 3 || i + 1 >= prompt.size() || (prompt[i] != '.' && prompt[i] != ')') || prompt[i + 1] != ' ') return 0;
-  return i + 1 - at;
-}
-
-// Whether what begins at `at` opens a line of its own: an empty line, a list item, a capital.
-bool opens_line(std::string_view prompt, std::size_t at) {
-  while (at < prompt.size() && (prompt[at] == ' ' || prompt[at] == '\t' || prompt[at] == '\r')) ++at;
-  if (at >= prompt.size()) return false;
-  const char c = prompt[at];
-  return c == '\n' || c == '-' || c == '*' || (c >= 'A' && c <= 'Z') || list_number(prompt, at) > 0;
-}
-
-// Whether the line that ends at `at` is as short as lines of a list are; wrapped prose fills its lines.
-bool ends_short_line(std::string_view prompt, std::size_t at) {
-  constexpr std::size_t kShortLine = 45;
-  const std::size_t before = at == 0 ? std::string_view::npos : prompt.rfind('\n', at - 1);
-  return at - (before == std::string_view::npos ? 0 : before + 1) <= kShortLine;
-}
 
 // "n't", "'d", "'ll" … after the word they are glued to: what they stand for becomes a word. Returns the bytes taken.
 std::size_t read_contraction(std::string_view prompt, std::size_t at, std::vector<Token>& tokens) {
@@ -298,7 +143,7 @@ class Tokenizer {
       token.text.push_back(lower(letter.value));
       at_ += letter.size;
     }
-    finish_word(token);
+    token.text = american_spelling(std::move(token.text));
     if (stands_for_one(token.text)) token.text = tokens_.empty() || tokens_.back().text != "one" ? "one" : "else";  // "one mine, one hers"
     if (token.text == "round" && !tokens_.empty() && tokens_.back().text == "all") token.text = "around";           // "chairs all round"
   }
@@ -421,54 +266,6 @@ class Tokenizer {
   static constexpr std::size_t kDashesOfList = 3;  // fewer are asides
   bool dashes_list_ = false;
 };
-
-// "an on-air lamp", "the on-call bed": one word, no place.
-bool joins_on(const Token& on, const Token& next) {
-  return on.text == "on" && next.glued && next.kind == Token::Kind::kWord && next.begin == on.end + 1;
-}
-
-// "two lamps, one left, one right of the bed", "the other right of it": on the left, on the right. Not "the left one".
-bool is_on_side(const std::vector<Token>& tokens, std::size_t at) {
-  const std::string &side = tokens[at].text, &before = tokens[at - 1].text;
-  if ((side != "left" && side != "right") || (before != "one" && before != "other")) return false;
-  if (at + 1 >= tokens.size()) return true;
-  const Token& next = tokens[at + 1];
-  return next.kind == Token::Kind::kPunctuation || next.text == "of" || next.text == "and";
-}
-
-// "a vase, left without flowers", "left open": kept so, not a side.
-bool is_kept(const std::vector<Token>& tokens, std::size_t at) {
-  static constexpr std::string_view kState[] = {"without", "empty",     "open",       "bare",  "unlocked", "ajar",
-                                                "free",    "untouched", "unfinished", "alone", "clear"};
-  static constexpr std::string_view kSide[] = {"the", "its", "his", "her", "far", "on", "to"};
-  if (tokens[at].text != "left" || at == 0 || at + 1 >= tokens.size()) return false;
-  return std::find(std::begin(kState), std::end(kState), tokens[at + 1].text) != std::end(kState) &&
-         std::find(std::begin(kSide), std::end(kSide), tokens[at - 1].text) == std::end(kSide);
-}
-
-// The same tokens with "on" where it is meant, and as a part of the word that it belongs to.
-std::vector<Token> settle_on(const std::vector<Token>& tokens) {
-  std::vector<Token> out;
-  out.reserve(tokens.size());
-  for (std::size_t i = 0; i < tokens.size(); ++i) {
-    if (i > 0 && is_on_side(tokens, i)) {
-      Token& on = out.emplace_back();
-      on.text = "on";
-      on.begin = on.end = tokens[i].begin;
-    }
-    if (i == 0 || i + 1 >= tokens.size() || !joins_on(tokens[i], tokens[i + 1])) {
-      out.push_back(tokens[i]);
-      if (is_kept(tokens, i)) out.back().text = "kept";
-      continue;
-    }
-    Token& word = out.emplace_back(tokens[i + 1]);
-    word.text = "on-" + word.text;
-    word.begin = tokens[i].begin;
-    word.glued = false;
-    ++i;
-  }
-  return out;
-}
 
 }  // namespace
 

@@ -21,6 +21,9 @@ struct Token {
 // Splits a prompt. Hyphens within a word and possessive apostrophes part it ("bed's" → bed, 's). REQUIRES: valid UTF-8.
 std::vector<Token> tokenize(std::string_view prompt);
 
+// The same tokens with "on" where it is meant, and as a part of the word that it belongs to. Part of tokenize().
+std::vector<Token> settle_on(const std::vector<Token>& tokens);
+
 // All of these words stand from `at` on, one after the other.
 template <class Words>
 bool stand_at(const std::vector<Token>& tokens, std::size_t at, const Words& words) {

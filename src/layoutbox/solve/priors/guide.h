@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "layoutbox/solve/conflict/conflict.h"
 #include "layoutbox/solve/model/model.h"
 
 namespace layoutbox::placement {
@@ -25,9 +24,6 @@ void add_stays(PlacementModel& model);
 
 // Wishes that the largest things that stand on the floor stand elsewhere than in these layouts, or otherwise.
 void add_differences(PlacementModel& model, const std::vector<const Layout*>& unlike);
-
-// Locked or fixed things that overlap each other or stick out of the room: clashes that need no proof.
-std::vector<Clash> clashes_of_locks(const PlacementModel& model, const Scope& scope);
 
 // Its state and place are those of the earlier layout.
 inline bool unmoved(const PlacementModel& model, int item, const Placements& placements) {
