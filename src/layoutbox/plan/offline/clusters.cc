@@ -1,4 +1,6 @@
 #include "layoutbox/plan/offline/clusters.h"
+
+#include "layoutbox/base/words.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/word_sets.h"
 

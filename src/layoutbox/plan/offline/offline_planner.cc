@@ -7,6 +7,7 @@
 #include "layoutbox/catalog/normalize.h"
 #include "layoutbox/plan/offline/absent.h"
 #include "layoutbox/plan/offline/alternatives.h"
+#include "layoutbox/plan/offline/bans.h"
 #include "layoutbox/plan/offline/bare_corners.h"
 #include "layoutbox/plan/offline/built_ins.h"
 #include "layoutbox/plan/offline/clusters.h"
@@ -91,6 +92,7 @@ class OfflinePlanner final : public Planner {
     read_said_counts(lexicon_, document, skip);
     read_courtesies(lexicon_, document, skip);
     read_requests(lexicon_, document, skip);
+    const std::vector<Ban> bans = read_bans(lexicon_, document, skip);
     read_uses(lexicon_, document, skip);
     read_wordings(lexicon_, document, skip);
     read_slopes(lexicon_, document, skip);
@@ -143,6 +145,7 @@ class OfflinePlanner final : public Planner {
     read_room_colors(lexicon_, document, plan.scene.room);
     build_relations(lexicon_, document, plan.scene);
     if (is_set(document.stop)) return stopped();
+    add_bans(document, bans, plan.scene);
     name_room_by_contents(lexicon_, document, plan.scene);
     furnish_by_wish(lexicon_, document, plan.scene);
     settle_slopes(lexicon_, document, plan.scene);

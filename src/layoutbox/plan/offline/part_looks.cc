@@ -2,6 +2,7 @@
 // "A rug with stars", "hearts on the duvet": what is printed on cloth is no thing.
 #include <algorithm>
 
+#include "layoutbox/base/words.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/catalog/word_lists.h"
 #include "layoutbox/plan/offline/knowledge.h"
