@@ -21,7 +21,7 @@ class BanReader : public BanPlaces {
       if (skip_[i]) continue;
       kept_ = 0;
       if (read_back_to(i) || pass_none(i) || read_nothing(i) || read_kept(i) || read_staying(i) || read_side(i) || read_room_round(i) ||
-          read_accessible(i))
+          read_accessible(i) || read_plain_room_round(i))
         continue;
     }
     return std::move(bans_);
@@ -211,6 +211,29 @@ class BanReader : public BanPlaces {
     if (!is_over(at) && !ends(at)) return false;
     std::size_t first = i;
     while (first > 0 && is(first - 1, {"with", "have", "leave", "keep", "needs", "need"})) --first;
+    take(std::move(ban), first, at);
+    return true;
+  }
+
+  // "with space all round", "room to walk all around it"
+  bool read_plain_room_round(std::size_t i) {
+    if (!is(i, {"space", "room"})) return false;
+    std::size_t at = i + 1;
+    while (is(at, {"to", "walk", "move", "get", "go", "pass", "free", "clear"})) ++at;
+    if (is(at, {"all"}) && is(at + 1, {"the"}) && is(at + 2, {"way"})) at += 2;
+    const bool all = is(at, {"all", "way"});
+    if (all) ++at;
+    if (!is(at, {"round", "around"}) || (!all && at == i + 1)) return false;
+    ++at;
+    Ban ban;
+    ban.kind = Ban::Kind::kFreeSide;
+    ban.depth = kUsualSide;
+    ban.sides = {Side::kFront, Side::kBack, Side::kLeft, Side::kRight};
+    if (!is_over(at) && !read_object(at, ban)) return false;
+    if (!is_over(at)) return false;
+    std::size_t first = i;
+    while (first > 0 && is(first - 1, {"with", "enough", "plenty", "of", "free", "and", "leave", "keep", "some"})) --first;
+    if (is(first, {"and"})) ++first;
     take(std::move(ban), first, at);
     return true;
   }

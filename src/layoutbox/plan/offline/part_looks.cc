@@ -129,9 +129,23 @@ void share_matching_looks(std::vector<Chunk>& chunks) {
   }
 }
 
+// "A boy's room, blue and orange, with a bed": colors that are things as well.
+void pass_color_nouns(Document& document) {
+  for (Chunk& chunk : document.chunks) {
+    const NounPhrase& noun = chunk.noun;
+    const bool bare = chunk.kind == ChunkKind::kNoun && noun.kind == NounKind::kObject && noun.determiner == Determiner::kNone &&
+                      noun.count == 0 && !noun.plural && !noun.of && noun.name == noun.head;
+    const bool colored = std::ranges::find(noun.attribute_classes, WordClass::kColor) != noun.attribute_classes.end();
+    if (!bare || !colored || !word_list("colors").at("colors").contains(noun.head)) continue;
+    chunk.kind = ChunkKind::kIgnored;
+    for (std::size_t i = chunk.first; i < chunk.last; ++i) document.readings[i].use = WordReading::Use::kIgnored;
+  }
+}
+
 }  // namespace
 
 void settle_part_looks(Document& document) {
+  pass_color_nouns(document);
   PrintReader(document).run();
   share_matching_looks(document.chunks);
   NounPhrase* whole = nullptr;  // the thing whose parts are listed

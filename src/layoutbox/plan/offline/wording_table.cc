@@ -35,7 +35,7 @@ std::vector<std::string_view> texts_of(WordList row, std::string_view key) {
 }
 
 ElementClass class_of(std::string_view name) {
-  constexpr std::array<std::pair<std::string_view, ElementClass>, 14> kClasses = {{{"article", ElementClass::kArticle},
+  constexpr std::array<std::pair<std::string_view, ElementClass>, 15> kClasses = {{{"article", ElementClass::kArticle},
                                                                                    {"number", ElementClass::kNumber},
                                                                                    {"definite", ElementClass::kDefinite},
                                                                                    {"object", ElementClass::kObject},
@@ -45,6 +45,7 @@ ElementClass class_of(std::string_view name) {
                                                                                    {"person", ElementClass::kPerson},
                                                                                    {"screen", ElementClass::kScreen},
                                                                                    {"color", ElementClass::kColor},
+                                                                                   {"look", ElementClass::kLook},
                                                                                    {"word", ElementClass::kWord},
                                                                                    {"plain", ElementClass::kPlain},
                                                                                    {"begin", ElementClass::kBegin},
@@ -187,6 +188,7 @@ class TableReader : public TokenReader {
       case ElementClass::kRoom: return is(at, {"room"}) ? 1 : lexicon_.find(tokens_, at, WordClass::kRoom).length;
       case ElementClass::kWindow: return lexicon_.find(tokens_, at, WordClass::kWindow).length;
       case ElementClass::kColor: return lexicon_.find(tokens_, at, WordClass::kColor).length;
+      case ElementClass::kLook: return look_at(at);
       case ElementClass::kUnit: return lexicon_.find(tokens_, at, WordClass::kUnit).length;
       case ElementClass::kPerson: return lexicon_.is_person(singular_of(tokens_[at].text)) ? 1 : 0;
       case ElementClass::kPlain: return thing_at(at) == 0 ? 1 : 0;
@@ -199,6 +201,12 @@ class TableReader : public TokenReader {
   std::size_t thing_at(std::size_t at) const {
     const Match match = lexicon_.find(tokens_, at);
     return meaning_of(match, WordClass::kObject) != nullptr ? match.length : lexicon_.find(tokens_, at, WordClass::kObject).length;
+  }
+
+  // "dark blue", "oak", and what joins them
+  std::size_t look_at(std::size_t at) const {
+    if (is(at, {"and", "dark", "light", "pale", "soft", "deep", "bright"})) return 1;
+    return std::max(lexicon_.find(tokens_, at, WordClass::kColor).length, lexicon_.find(tokens_, at, WordClass::kMaterial).length);
   }
 
   bool is_screen(std::size_t at) const {

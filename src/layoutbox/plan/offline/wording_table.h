@@ -22,6 +22,7 @@ struct WordingElement {
     kPerson,
     kScreen,
     kColor,
+    kLook,
     kWord,
     kPlain,
     kBegin,
