@@ -168,6 +168,7 @@ double Decoder::standing_score(const State& state, Referent referent, Referent s
   if (laid_down && meant.kind == NounKind::kObject)
     score += mount_of(meant) == Mount::kSurface ? weight::kNotBeside - weight::kSmallTogether : -weight::kNotBeside;
   score += by_small_score(state, target, referent, senses);
+  score += before_other_score(state, target, referent, senses);
   // What lies on the floor or on something else is seldom what one places things by.
   if (mount_of(target) == Mount::kFloor && !stands(meant)) score -= 0.8;
   // "a sofa, over which a map hangs, …; a table in front of it": of the sofa.
@@ -185,6 +186,22 @@ double Decoder::by_small_score(const State& state, const NounPhrase& target, Ref
                                                        : mount_of(target) == Mount::kWall && says(senses, RelationType::kBehind);
   const bool small = meant.kind == NounKind::kObject && mount_of(meant) == Mount::kSurface;
   return great && small && !says(senses, &RelationTraits::rests) && is_carried(state, referent) ? 2 * weight::kNotBeside : 0;
+}
+
+// "An armchair stands in front of the table, and a map hangs above it": over the table, which stands at the wall; "a chair behind the desk,
+// two more in front": of the desk.
+double Decoder::before_other_score(const State& state, const NounPhrase& target, Referent referent, const PhraseSenses& senses) const {
+  const bool along = says(senses, RelationType::kInFrontOf) || says(senses, RelationType::kBehind);
+  const bool over = mount_of(target) == Mount::kWall && (says(senses, RelationType::kAbove) || says(senses, RelationType::kBehind));
+  const bool seats = along && is_seat(lexicon_.catalog(), target) && is_seat(lexicon_.catalog(), noun_of(state, referent));
+  if (!over && !seats) return 0;
+  for (int p = 0; p < static_cast<int>(state.units.size()); ++p) {
+    const UnitReading& place = read_as(state, p);
+    if (!is(p, UnitKind::kPlace) || place.inverse || place.alone || !same(state, place.subject, referent)) continue;
+    const bool before = says(unit(p).direct, RelationType::kInFrontOf) || (seats && says(unit(p).direct, RelationType::kBehind));
+    if (before && is_thing(state, p + 1)) return weight::kNotBeside;
+  }
+  return 0;
 }
 
 // It was said to lie on something, here or before.
