@@ -16,13 +16,44 @@ bool Chunker::follows_doer() const {
   return who.last == who.first + 1 && lexicon_.is(tokens_[who.first], WordClass::kDoer);
 }
 
+// "somebody", "my sister", "the owner", "the family": so many words say who does something, before the word at which that verb stands.
+std::size_t Chunker::doer_length() const {
+  if (lexicon_.is(tokens_[i_], WordClass::kDoer)) return 1;
+  if (!lexicon_.is(tokens_[i_], WordClass::kDefinite) && !lexicon_.is(tokens_[i_], WordClass::kPossessive)) return 0;
+  if (i_ + 1 < tokens_.size() && one_of(tokens_[i_ + 1].text, WordSet::kHouseholds)) return 2;
+  constexpr std::size_t kMostWords = 4;
+  const auto who = read_noun_phrase(lexicon_, tokens_, i_, false);
+  if (!who || who->entry != nullptr || who->of || who->owner || who->last > i_ + kMostWords) return 0;
+  const bool people = lexicon_.is_person(who->head) || noun_form(who->head) == WordForm::kPerson;
+  return people ? who->last - i_ : 0;
+}
+
+// A clause that begins with its place ends here: "above the sofa", "…, and on it".
+bool Chunker::follows_first_place() const {
+  std::size_t first = chunks_.size();
+  constexpr std::size_t kMostChunks = 12;
+  while (first > 0 && first + kMostChunks > chunks_.size() &&
+         (chunks_[first - 1].kind == ChunkKind::kNoun || chunks_[first - 1].kind == ChunkKind::kRelation ||
+          chunks_[first - 1].kind == ChunkKind::kIgnored))
+    --first;
+  const ChunkKind before = first == 0 ? ChunkKind::kStop : chunks_[first - 1].kind;
+  const bool joined = before == ChunkKind::kAnd || before == ChunkKind::kComma;  // ", and behind the chair he keeps a basket"
+  const bool opens = before == ChunkKind::kStop || before == ChunkKind::kClause || joined;
+  const bool placed = previous() == ChunkKind::kNoun || previous() == ChunkKind::kRelation;  // "on it I keep two monitors"
+  return opens && first < chunks_.size() && chunks_[first].kind == ChunkKind::kRelation && placed;
+}
+
 // "on the desk I wish one lamp", "here we require two vases": what is wanted is there, as after "I want".
 bool Chunker::read_wishing() {
-  if (i_ + 2 >= tokens_.size() || !lexicon_.is(tokens_[i_], WordClass::kDoer)) return false;
-  std::size_t verb = i_ + 1;
+  const std::size_t who = i_ + 2 < tokens_.size() ? doer_length() : 0;
+  if (who == 0 || i_ + who + 1 >= tokens_.size()) return false;
+  const bool named = who > 1 || !lexicon_.is(tokens_[i_], WordClass::kDoer);
+  if (named && !follows_first_place()) return false;  // "above the sofa my sister has hung a map"
+  std::size_t verb = i_ + who;
   bool helped = false;
   for (; verb + 1 < tokens_.size() && is_helping(verb); ++verb) helped |= !says_how_much(verb);
   if (helped) return read_helped_wish(verb);
+  if (named) return false;
   // "the sink I want near the door"
   const bool told = previous() == ChunkKind::kNoun && chunks_.back().noun.kind == NounKind::kObject && !opens_noun(tokens_[verb + 1]);
   if (told && (tokens_[verb].text == "want" || tokens_[verb].text == "need" || tokens_[verb].text == "like") &&
@@ -65,16 +96,25 @@ bool Chunker::is_helping(std::size_t at) const {
   return std::ranges::find(kHelping, tokens_[at].text) != kHelping.end() || says_how_much(at);
 }
 
+// "set up a table", "laid out three maps", "put away a box"
+bool Chunker::is_particle_verb(std::size_t verb) const {
+  static constexpr std::array<std::string_view, 5> kParticles = {"up", "out", "down", "aside", "away"};
+  return verb + 2 < tokens_.size() && tokens_[verb].kind == Token::Kind::kWord &&
+         std::ranges::find(kParticles, tokens_[verb + 1].text) != kParticles.end() && thing_next(verb + 2) &&
+         (may_be_verb(tokens_[verb].text) || tokens_[verb].text.ends_with("ed") || one_of(tokens_[verb].text, WordSet::kFinding));
+}
+
 // "I would just like my recliner …", "someone had left a bucket", "I'd also like to put the till …", after "would", "had".
 bool Chunker::read_helped_wish(std::size_t verb) {
   bool wanted = false, put = false;
   for (; verb + 1 < tokens_.size(); verb += 2) {
+    put = put || is_particle_verb(verb);
     wanted |= one_of(tokens_[verb].text, WordSet::kLiking);
     put |= brings_in(verb) || lexicon_.is(tokens_[verb], WordClass::kParticiple) || lexicon_.is(tokens_[verb], WordClass::kPlaceVerb) ||
            lexicon_.is(tokens_[verb], WordClass::kHang);
     if (tokens_[verb + 1].text != "to") break;
   }
-  const std::size_t thing = verb + 1;
+  const std::size_t thing = verb + (is_particle_verb(verb) ? 2 : 1);
   if ((!wanted && !put) || thing >= tokens_.size()) return false;
   const bool known = lexicon_.is(tokens_[thing], WordClass::kDefinite) || lexicon_.is(tokens_[thing], WordClass::kPossessive);
   if (!thing_next(thing) && !(wanted && known)) return false;
@@ -82,24 +122,18 @@ bool Chunker::read_helped_wish(std::size_t verb) {
   return true;
 }
 
-// "opposite the door you meet a desk", "by the window he keeps a telescope": somebody finds a thing where the clause begins.
+// "opposite the door you meet a desk", "by the window he keeps a telescope", "above it my sister hung a map": somebody finds or puts a
+// thing where the clause begins.
 bool Chunker::read_finding() {
-  if (i_ + 2 >= tokens_.size() || !lexicon_.is(tokens_[i_], WordClass::kDoer) || chunks_.empty()) return false;
-  const auto own = lexicon_.is(tokens_[i_ + 2], WordClass::kPossessive) ? read_noun_phrase(lexicon_, tokens_, i_ + 2, false) : std::nullopt;
-  const bool thing = thing_next(i_ + 2) || (own && own->kind == NounKind::kObject && own->exact);  // "I keep my guitar"
-  if (!thing || !may_be_verb(tokens_[i_ + 1].text)) return false;
-  std::size_t first = chunks_.size();
-  constexpr std::size_t kMostChunks = 12;
-  while (first > 0 && first + kMostChunks > chunks_.size() &&
-         (chunks_[first - 1].kind == ChunkKind::kNoun || chunks_[first - 1].kind == ChunkKind::kRelation ||
-          chunks_[first - 1].kind == ChunkKind::kIgnored))
-    --first;
-  const ChunkKind before = first == 0 ? ChunkKind::kStop : chunks_[first - 1].kind;
-  const bool joined = before == ChunkKind::kAnd || before == ChunkKind::kComma;  // ", and behind the chair he keeps a basket"
-  const bool opens = before == ChunkKind::kStop || before == ChunkKind::kClause || joined;
-  const bool placed = previous() == ChunkKind::kNoun || previous() == ChunkKind::kRelation;  // "on it I keep two monitors"
-  if (!opens || first >= chunks_.size() || chunks_[first].kind != ChunkKind::kRelation || !placed) return false;
-  add(ChunkKind::kThere, 2);
+  const std::size_t who = i_ + 2 < tokens_.size() && !chunks_.empty() ? doer_length() : 0, verb = i_ + who;
+  if (who == 0) return false;
+  const std::size_t object = verb + (is_particle_verb(verb) ? 2 : 1);
+  if (object >= tokens_.size() || tokens_[verb].kind != Token::Kind::kWord) return false;
+  const auto own = lexicon_.is(tokens_[object], WordClass::kPossessive) ? read_noun_phrase(lexicon_, tokens_, object, false) : std::nullopt;
+  const bool thing = thing_next(object) || (own && own->kind == NounKind::kObject && own->exact);  // "I keep my guitar"
+  const std::string& does = tokens_[verb].text;
+  if (!thing || !(may_be_verb(does) || does.ends_with("ed") || one_of(does, WordSet::kFinding)) || !follows_first_place()) return false;
+  add(ChunkKind::kThere, object - i_);
   return true;
 }
 

@@ -62,6 +62,9 @@ class Chunker {
   bool read_look();
   // What somebody does (chunk_deeds).
   bool follows_doer() const;
+  std::size_t doer_length() const;
+  bool follows_first_place() const;
+  bool is_particle_verb(std::size_t verb) const;
   bool is_about_number() const;
   bool is_all_around() const;
   bool read_wishing();

@@ -1,6 +1,7 @@
 // One relation for each single thing: what a phrase means for these two, and what it says besides.
 #include <algorithm>
 
+#include "layoutbox/catalog/kin.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
@@ -59,7 +60,9 @@ bool RelationBuilder::is_side_on(const Link& link, const PhraseSense& sense, con
       one_of(document_.tokens[std::min(link.first + 1, document_.tokens.size() - 1)].text, {"left", "right"});  // "on left of"
   const bool side_of = words.find("side") != std::string::npos || (document_.tokens[link.first].text == "on" && !bare);
   const bool lies = is_seat(catalog_, host) || one_of(host.head, WordSet::kLainOn);
-  return side_of && !lies && may_carry(catalog_, host, thing) && (mount_of(thing) == Mount::kSurface || thing.entry == nullptr) &&
+  // "a scale on the left side of the counter": such a thing has a kind that stands there
+  const bool kept = host.entry != nullptr && thing.name == thing.head && !kept_in_entry(thing.head, *host.entry).empty();
+  return side_of && !lies && may_carry(catalog_, host, thing) && (mount_of(thing) == Mount::kSurface || thing.entry == nullptr || kept) &&
          mount_of(host) != Mount::kSurface;
 }
 

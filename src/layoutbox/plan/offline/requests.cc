@@ -37,6 +37,7 @@ class RequestReader : public TokenReader {
       read_both(i);
       read_elided(i);
       read_one_floor(i);
+      read_asked_place(i);
       if (is(i, {"apiece"})) tokens_[i].text = "each";
       if (are(i, {"as", "to"}) && is_article(i + 2) && begins(i)) tokens_[i + 1].text = "for";  // "As to the lamp, leave it …"
     }
@@ -44,6 +45,22 @@ class RequestReader : public TokenReader {
 
  private:
   bool is_place(std::size_t at) const { return at < tokens_.size() && lexicon_.find_phrase(tokens_, at).length > 0; }
+
+  // "On top of it? A jar of biscuits.": the answer goes on with the place.
+  void read_asked_place(std::size_t i) {
+    constexpr std::size_t kMostWords = 6;
+    if (!is(i, {"?"}) || i + 1 >= tokens_.size()) return;
+    std::size_t first = i;
+    while (first > 0 && first + kMostWords > i && !tokens_[first - 1].ends_sentence) --first;
+    if (first > 0 && !tokens_[first - 1].ends_sentence) return;
+    const std::size_t place = lexicon_.find_phrase(tokens_, first).length;
+    if (place == 0 || first + place > i) return;
+    for (std::size_t at = first + place; at < i; ++at) {
+      if (lexicon_.is(tokens_[at], WordClass::kBe) || lexicon_.is(tokens_[at], WordClass::kVerb)) return;
+    }
+    tokens_[i].text = ":";
+    tokens_[i].ends_sentence = false;
+  }
 
   // "Would it be possible for the TV to sit on the cabinet, and for the console to be in it?": the TV sits there.
   void read_possible(std::size_t i) {

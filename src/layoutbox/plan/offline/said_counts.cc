@@ -30,6 +30,7 @@ class SaidCounts {
       read_shortened(i);
       read_behind(i);
       read_sum(i);
+      read_among(i);
     }
   }
 
@@ -261,6 +262,35 @@ class SaidCounts {
       return;
     leave_out(first, last);
   }
+
+  // "lined with lockers, six of them", "a row of jars, five in all": how many of what was named last.
+  void read_among(std::size_t i) {
+    constexpr std::size_t kReach = 8;  // words
+    if (!is_count(i) || skip_[i] || i < 2 || !is_one_of(i - 1, {",", "("})) return;
+    const bool of_them = is(i + 1, "of") && is_one_of(i + 2, {"them", "these", "those"});
+    const std::size_t last = of_them ? i + 3 : past_total(i + 1);
+    if (last == i + 1 || (!ends(last) && !(of_them && is(last, "in") && is_one_of(last + 1, {"a", "all", "total"})))) return;
+    for (std::size_t t = i - 1; t-- > 0 && t + kReach >= i && is_word(t);) {
+      if (!is_plural(tokens_[t].text)) continue;
+      if (is_verb_here(t)) continue;
+      std::size_t first = t;
+      for (std::size_t f = t + 1; f-- > 0 && f + 4 > t && is_word(f);) {
+        const Match match = lexicon_.find(tokens_, f);
+        if (meaning_of(match, WordClass::kObject) != nullptr && f + match.length == t + 1) first = f;
+      }
+      if (meaning_of(lexicon_.find(tokens_, first), WordClass::kObject) == nullptr) continue;
+      const bool counted =
+          first > 0 && (is_count(first - 1) || is_one_of(first - 1, {"the", "these", "those", "both", "all", "its", "their"}));
+      if (counted) return;
+      leave_out(i + 1, last);
+      skip_[i - 1] = skip_[i - 1] || !ends(last);
+      bring_forward(first, i);
+      return;
+    }
+  }
+
+  // "stands", "holds": no things.
+  bool is_verb_here(std::size_t at) const { return lexicon_.is(tokens_[at], WordClass::kVerb) || lexicon_.is(tokens_[at], WordClass::kBe); }
 
   static bool is_plural(const std::string& word) { return singular_of(word) != word; }
 

@@ -188,6 +188,9 @@ class Decoder {
   double earlier_antecedents(const State& state, const NounPhrase* noun, const Trial& trial, double order) const;
   bool placed_by_before(const State& state, int u) const;
   void text_antecedents(const State& state, const PhraseSenses* senses, const Trial& trial, double order) const;
+  double by_small_score(const State& state, const NounPhrase& target, Referent referent, const PhraseSenses& senses) const;
+  double before_other_score(const State& state, const NounPhrase& target, Referent referent, const PhraseSenses& senses) const;
+  bool is_carried(const State& state, Referent referent) const;
   bool is_told_on_floor(const State& state, int subject) const;
   double antecedent_place_score(const State& state, Referent referent, Referent subject, const PhraseSenses& senses,
                                 const NounPhrase* noun) const;

@@ -40,6 +40,11 @@ Referent Decoder::side_host(const State& state, int u, const PhraseSenses& sense
     // Of another clause, or after a place that it begins with.
     if (unit(p + 1).clause || (p + 1 < u && is(p + 1, UnitKind::kPlace) && read_as(state, p + 1).fronted && !read_as(state, p + 1).alone))
       return kNobody;
+    // "a pot to the left of it, a lamp to the right, two chisels in front": of what the last unsaid side was of.
+    const bool chained =
+        is(p, UnitKind::kPlace) && along(senses) && !follows(u, UnitKind::kNoun) && place.alone && !says_its(u) && across(alone_senses(p));
+    if (chained && place.implied != kNobody && place.subject >= 0 && read_as(state, place.subject).role == NounRole::kRoot)
+      return place.implied;
     if (!is(p, UnitKind::kPlace) || place.inverse || !(sides(unit(p).direct) || sides(unit(p).alone))) continue;
     const Referent host = place.alone ? place.implied : is(p + 1, UnitKind::kNoun) ? p + 1 : kNobody;
     if (host != kNobody) return host;

@@ -11,7 +11,7 @@ namespace layoutbox::offline {
 
 namespace {
 
-constexpr std::size_t kChoices = 4;
+constexpr std::size_t kChoices = 6;
 constexpr int kMentionsBack = 12;  // mentions of earlier sentences that are looked at
 
 // "it" of several, "them" of one.
@@ -167,6 +167,8 @@ double Decoder::standing_score(const State& state, Referent referent, Referent s
   const bool laid_down = small && !lies && subject >= 0 && is_told_on_floor(state, subject);
   if (laid_down && meant.kind == NounKind::kObject)
     score += mount_of(meant) == Mount::kSurface ? weight::kNotBeside - weight::kSmallTogether : -weight::kNotBeside;
+  score += by_small_score(state, target, referent, senses);
+  score += before_other_score(state, target, referent, senses);
   // What lies on the floor or on something else is seldom what one places things by.
   if (mount_of(target) == Mount::kFloor && !stands(meant)) score -= 0.8;
   // "a sofa, over which a map hangs, …; a table in front of it": of the sofa.
@@ -174,6 +176,57 @@ double Decoder::standing_score(const State& state, Referent referent, Referent s
   const bool looked_into = meant.entry != nullptr && meant.entry->is(Trait::kMirror);
   if (before && mount_of(target) == Mount::kFloor && mount_of(meant) == Mount::kWall && !looked_into) score += weight::kNotBeside;
   return score;
+}
+
+// "a vase and, left of it, a bowl; in front of it two stools": of what carries them.
+double Decoder::by_small_score(const State& state, const NounPhrase& target, Referent referent, const PhraseSenses& senses) const {
+  const Catalog& catalog = lexicon_.catalog();
+  const NounPhrase& meant = noun_of(state, referent);
+  const bool great = mount_of(target) == Mount::kFloor ? is_seat(catalog, target) || is_table(catalog, target) || is_heavy(catalog, target)
+                                                       : mount_of(target) == Mount::kWall && says(senses, RelationType::kBehind);
+  const bool small = meant.kind == NounKind::kObject && mount_of(meant) == Mount::kSurface;
+  return great && small && !says(senses, &RelationTraits::rests) && is_carried(state, referent) ? 2 * weight::kNotBeside : 0;
+}
+
+// "An armchair stands in front of the table, and a map hangs above it": over the table, which stands at the wall; "a chair behind the desk,
+// two more in front": of the desk.
+double Decoder::before_other_score(const State& state, const NounPhrase& target, Referent referent, const PhraseSenses& senses) const {
+  const bool along = says(senses, RelationType::kInFrontOf) || says(senses, RelationType::kBehind);
+  const bool over = mount_of(target) == Mount::kWall && (says(senses, RelationType::kAbove) || says(senses, RelationType::kBehind));
+  const bool seats = along && is_seat(lexicon_.catalog(), target) && is_seat(lexicon_.catalog(), noun_of(state, referent));
+  if (!over && !seats) return 0;
+  for (int p = 0; p < static_cast<int>(state.units.size()); ++p) {
+    const UnitReading& place = read_as(state, p);
+    if (!is(p, UnitKind::kPlace) || place.inverse || place.alone || !same(state, place.subject, referent)) continue;
+    const bool before = says(unit(p).direct, RelationType::kInFrontOf) || (seats && says(unit(p).direct, RelationType::kBehind));
+    if (before && is_thing(state, p + 1)) return weight::kNotBeside;
+  }
+  return 0;
+}
+
+// It was said to lie on something, here or before.
+bool Decoder::is_carried(const State& state, Referent referent) const {
+  if (is_mention(referent)) {
+    const auto mention = [&](int m) -> const Mention& { return document_.mentions[static_cast<std::size_t>(m)]; };
+    const std::vector<int>& items = mention(mention_of(referent)).items;
+    const auto is_it = [&](int target) { return mention(target).items == items; };
+    return std::ranges::any_of(document_.links, [&](const Link& link) {
+      const bool lies = link.kind == Link::Kind::kHave || says(link.senses, &RelationTraits::rests);
+      return lies && std::ranges::any_of(link.targets, is_it);
+    });
+  }
+  if (referent >= 0 && is_thing(state, host_of(state, referent))) return true;
+  for (int p = 0; p < static_cast<int>(state.units.size()); ++p) {
+    const UnitReading& place = read_as(state, p);
+    if (!is(p, UnitKind::kPlace) || place.inverse || place.subject < 0) continue;
+    const std::vector<int> all = list_of(state, place.subject, place.first_subject);
+    if (says(place.alone ? alone_senses(p) : unit(p).direct, &RelationTraits::rests) && std::ranges::find(all, referent) != all.end())
+      return true;
+  }
+  // "On the desk lie a pen and …"
+  return referent >= 0 && std::ranges::any_of(state.fronted, [&](int p) {
+           return read_as(state, p).subject == referent && says(alone_senses(p), &RelationTraits::rests);
+         });
 }
 
 // "a statue on the floor"
@@ -300,6 +353,11 @@ double Decoder::earlier_antecedents(const State& state, const NounPhrase* noun, 
   }
   for (int u = static_cast<int>(state.units.size()), looked = 0; u-- > 0 && looked < 6;) {
     if (!is(u, UnitKind::kNoun) || read_as(state, u).role != NounRole::kReference) continue;
+    // "On the counter are a till and a vase; in front of it …"
+    const int place = read_as(state, u).predicate;
+    const bool first = said && place >= 0 && is(place, UnitKind::kPlace) && read_as(state, place).fronted && is_thing(state, u) &&
+                       says(unit(place).direct, &RelationTraits::rests);
+    if (first) trial(u, order - weight::kNamedOnceMore, false);
     // What was known before and is named once more is what things are placed by.
     const double known = is_known(state, u) ? pronoun ? 0.3 : 0.8 : 0;
     const double again = known > 0 && said && placed_by_before(state, u) ? weight::kNamedAgain : 0;

@@ -206,8 +206,9 @@ double Decoder::reference_score(const State& state, int place, Referent referenc
   const Referent subject = fronted ? reference : reading.subject;  // the noun that comes now
   if (fronted && reading.alone) {
     if (reading.implied == kNobody) return 0;
-    return sense_.of_place(unit(place).alone.empty() ? unit(place).direct : unit(place).alone, noun_of(state, subject),
-                           noun_of(state, reading.implied));
+    const PhraseSenses& senses = alone_senses(place);
+    const NounPhrase& thing = noun_of(state, subject);
+    return sense_.of_place(senses, thing, noun_of(state, reading.implied)) + by_small_score(state, thing, reading.implied, senses);
   }
   if (fronted && reading.inverse) return 0;
   const Referent other = fronted ? place + 1 : reference;
@@ -222,7 +223,9 @@ double Decoder::reference_score(const State& state, int place, Referent referenc
     }
   }
   if (chunk(place).hang && is_heavy(lexicon_.catalog(), target)) score += weight::kHeavyHung;
-  if (fronted) return score;
+  if (fronted)
+    return score +
+           (chunk(place + 1).noun.head == "it" ? by_small_score(state, target, read_as(state, other).meant, unit(place).direct) : 0);
   return score + habit_score(state, place, subject, other, unit(place).direct) + apart_score(state, other, subject, unit(place).direct);
 }
 

@@ -12,11 +12,12 @@ std::string words_between(const Document& document, std::size_t first, std::size
 }
 
 void read_document(const Lexicon& lexicon, Document& document) {
-  const std::vector<Sentence> sentences = read_units(lexicon, document);
+  std::vector<Sentence> sentences = read_units(lexicon, document);
   Scribe scribe(lexicon, document);
-  for (const Sentence& sentence : sentences) {
+  for (Sentence& sentence : sentences) {
     if (is_set(document.stop)) break;
-    const SentenceTree tree(document, sentence);
+    SentenceTree tree(document, sentence);
+    if (pass_verbs(document, tree, sentence)) tree = SentenceTree(document, sentence);
     const SentenceReading reading = Decoder(lexicon, document, sentence, tree, scribe.so_far()).run();
     scribe.write(sentence, reading);
     note_close_reading(document, sentence, reading);

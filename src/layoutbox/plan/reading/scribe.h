@@ -52,6 +52,7 @@ class Scribe {
   bool describes_one_of(int u, const NounPhrase& noun) const;
   int others_listed(int u, const NounPhrase& noun);
   int make_ordinal(const NounPhrase& noun);
+  bool is_across_from(const NounPhrase& noun, int antecedent) const;
   int antecedent_of(int u);
   int shared_as(int u, const NounPhrase& noun);
   int list_ranked(const NounPhrase& noun, int antecedent);

@@ -134,6 +134,14 @@ int Scribe::make_opposed(int u, const NounPhrase& noun) {
   return copy_of(placed.front(), noun);
 }
 
+// "On the left bookcase stands a globe, on the right one two vases": where one of a side was all that was named, the other is a second.
+bool Scribe::is_across_from(const NounPhrase& noun, int antecedent) const {
+  if (antecedent < 0 || mention_at(antecedent).items.size() != 1) return false;
+  const auto is_side = [](const std::string& word) { return word == "left" || word == "right"; };
+  const std::string& side = document_.items[static_cast<std::size_t>(mention_at(antecedent).items.front())].noun.wall_word;
+  return noun.count <= 1 && is_side(noun.wall_word) && is_side(side) && side != noun.wall_word;
+}
+
 // "the first wardrobe … the second": of the same kind.
 int Scribe::make_ordinal(const NounPhrase& noun) {
   if (noun.ordinal == 0) return -1;
@@ -190,6 +198,7 @@ int Scribe::make_member(int u, const NounPhrase& noun) {
     if (const int opposed = make_opposed(u, noun); opposed >= 0) return opposed;
   }
   int antecedent = antecedent_of(u);
+  if (is_across_from(noun, antecedent)) return copy_of(antecedent, noun);
   // "two lockers stand by the door and the other two at the window": four.
   const bool of_placed = antecedent >= 0 && mention_at(antecedent).introduces &&
                          mention_at(antecedent).items.size() <= static_cast<std::size_t>(std::max(noun.count, 1)) &&

@@ -1,8 +1,11 @@
 #include "layoutbox/plan/reading/tree.h"
 
 #include <algorithm>
+#include <string>
 #include <string_view>
+#include <utility>
 
+#include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/syntax/syntax.h"
 
 namespace layoutbox::offline {
@@ -73,6 +76,26 @@ class TreeWalk {
     return {-1, 0};
   }
 
+  // A noun of one word, without article, number or name of its own, that stands where a verb does.
+  bool is_bare_verb(std::size_t u) const {
+    const Unit& unit = sentence_[u];
+    const Chunk& chunk = document_.chunks[unit.chunk];
+    const NounPhrase& noun = chunk.noun;
+    const std::size_t t = chunk.first - first_;
+    const bool bare = unit.kind == UnitKind::kNoun && noun.kind == NounKind::kObject && chunk.last == chunk.first + 1 &&
+                      noun.determiner == Determiner::kNone && noun.count == 0 && u > 0 && t > 0 && t < nodes_.size();
+    if (!bare) return false;
+    const Arc arc = nodes_[t].arc;
+    const int head = nodes_[t].head;
+    const bool of_verb = head >= 0 && is_verb(nodes_[static_cast<std::size_t>(head)].tag);
+    const std::string& word = document_.tokens[chunk.first].text;
+    const bool third = word.ends_with("s"), acts = is_verb(nodes_[t].tag);
+    if (sentence_[u - 1].kind == UnitKind::kRelative) return third && (acts || may_be_verb(word));
+    // "… and chimes on the hour", "… and whistles."
+    if (unit.joiner == Joiner::kAnd) return third && arc == Arc::kConj && of_verb && (acts || u + 1 == sentence_.size());
+    return unit.joiner == Joiner::kComma && noun.entry == nullptr && nodes_[t].tag == Tag::kVBN && may_be_verb(word);
+  }
+
  private:
   // The chunk's word that hangs on a word outside it.
   int top_of(const Chunk& chunk) const {
@@ -112,7 +135,27 @@ SentenceTree::SentenceTree(const Document& document, const Sentence& sentence) {
     const auto [owner, sure] = walk.owner_of(u);
     owner_.push_back(owner);
     sure_.push_back(sure);
+    verb_.push_back(walk.is_bare_verb(u));
   }
+}
+
+bool pass_verbs(Document& document, const SentenceTree& tree, Sentence& sentence) {
+  const std::size_t before = sentence.size();
+  Sentence kept;
+  for (std::size_t u = 0; u < before; ++u) {
+    if (!tree.is_verb(u)) {
+      kept.push_back(sentence[u]);
+      continue;
+    }
+    Chunk& chunk = document.chunks[sentence[u].chunk];
+    chunk.kind = ChunkKind::kIgnored;
+    WordReading& reading = document.readings[chunk.first];
+    reading.use = WordReading::Use::kIgnored;
+    reading.role = "what it does";
+  }
+  if (kept.empty() || kept.size() == before) return false;
+  sentence = std::move(kept);
+  return true;
 }
 
 }  // namespace layoutbox::offline

@@ -20,9 +20,16 @@ class SentenceTree {
     return owner_[static_cast<std::size_t>(u)] == noun ? sure : -sure / 2;
   }
 
+  // Whether syntax takes what is a bare noun by its look for a verb: "a stool that rolls", "… and swings with every wave".
+  bool is_verb(std::size_t u) const { return verb_[u]; }
+
  private:
   std::vector<int> owner_;
   std::vector<double> sure_;
+  std::vector<bool> verb_;
 };
+
+// Takes out of the sentence what only looks like a noun; whether there was any.
+bool pass_verbs(Document& document, const SentenceTree& tree, Sentence& sentence);
 
 }  // namespace layoutbox::offline

@@ -349,6 +349,13 @@ bool UnitReader::is_within_room(std::size_t k) const {
 // "The altar, a plain block of limestone, is raised on a platform": what the subject is, said between commas.
 bool UnitReader::passes_apposition(std::size_t k) {
   const NounPhrase& noun = chunk(k).noun;
+  // "next to it is the oven, a tall steel thing; …"
+  const bool vague =
+      noun.kind == NounKind::kObject && noun.determiner == Determiner::kIndefinite && one_of(noun.head, WordSet::kApposedThings);
+  if (vague && joiner_ == Joiner::kComma && !units_.empty() && units_.back().kind == UnitKind::kNoun) {
+    mark(k, WordReading::Use::kUsed, "what it is");
+    return true;
+  }
   if (joiner_ != Joiner::kComma || units_.size() != 1 || units_.front().kind != UnitKind::kNoun) return false;
   std::size_t end = next(k);
   if (is(end, ChunkKind::kUnknown) || is(end, ChunkKind::kAttribute) ||
