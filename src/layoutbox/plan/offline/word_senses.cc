@@ -90,15 +90,15 @@ class WordSenseReader {
   }
 
   bool is_beside(const WordSense& sense, std::size_t head) const {
-    constexpr std::size_t kAt = 5;  // tokens
+    constexpr std::size_t kAt = 5, kBy = 200;  // tokens; endless sentences stay linear
     if (!sense.before.empty() && head > 0 && is_said(sense.before, head - 1)) return true;
     bool close = true;
-    for (std::size_t i = head; i-- > 0 && !tokens_[i].ends_sentence;) {
+    for (std::size_t i = head; i-- > 0 && head - i <= kBy && !tokens_[i].ends_sentence;) {
       close = close && head - i <= kAt && tokens_[i].kind != Token::Kind::kPunctuation;
       if ((close && is_said(sense.at, i)) || is_said(sense.by, i)) return true;
     }
     close = true;
-    for (std::size_t i = head + 1; i < tokens_.size() && !tokens_[i].ends_sentence; ++i) {
+    for (std::size_t i = head + 1; i < tokens_.size() && i - head <= kBy && !tokens_[i].ends_sentence; ++i) {
       close = close && i - head <= kAt && tokens_[i].kind != Token::Kind::kPunctuation;
       if ((close && is_said(sense.at, i)) || is_said(sense.by, i)) return true;
     }
