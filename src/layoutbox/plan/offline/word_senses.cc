@@ -68,11 +68,12 @@ class WordSenseReader {
     return noun.entry->name == noun.head && (noun.name.ends_with(noun.head) || noun.name.starts_with(noun.head + " of "));
   }
 
-  // "… a chessboard and a clock next to the board": what was named.
+  // "… a chessboard and a clock next to the board": what was named, not too long before.
   bool refers_back(const Chunk& chunk) const {
+    constexpr std::ptrdiff_t kBack = 200;  // chunks
+    const Chunk* const first = std::max(std::as_const(document_.chunks).data(), &chunk - std::min(kBack, &chunk - document_.chunks.data()));
     const std::string& head = chunk.noun.head;
-    return chunk.noun.determiner == Determiner::kDefinite &&
-           std::any_of(std::as_const(document_.chunks).data(), &chunk, [&](const Chunk& before) {
+    return chunk.noun.determiner == Determiner::kDefinite && std::any_of(first, &chunk, [&](const Chunk& before) {
              return before.kind == ChunkKind::kNoun && before.noun.kind == NounKind::kObject && before.noun.name.ends_with(head);
            });
   }
