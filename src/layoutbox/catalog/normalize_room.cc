@@ -158,7 +158,7 @@ class RoomNormalizer {
       d *= scale;
       if (scale != 1) reason = fmt::format("\"{}\"", room_.size_word);
       const double grown = growth(w * d * share, std::max(w, d));
-      const double factor = grown * growth_for_distances(context_, w * grown, d * grown);
+      const double factor = grown * growth_for_distances(context_, w * grown, d * grown) * context_.options.room_growth;
       if (factor > 1.001) reason += ", grown to hold its furniture";
       if (factor < 0.999) reason += ", smaller as little stands in it";
       w = rounded_up(w * factor);

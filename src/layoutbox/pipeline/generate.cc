@@ -218,13 +218,37 @@ class Run {
     return {};
   }
 
+  // A room of which nobody says how large it is was guessed too small where not all that is asked for has a place in it.
+  Result<std::vector<Layout>> solve_where_it_fits() {
+    LAYOUTBOX_ASSIGN(std::vector<Layout> layouts, solve_variants(outcome_.scene, catalog_, options_.solve, options_.variants));
+    for (const double growth : {1.15, 1.3}) {
+      if (!plan_ || stopped() || !lacks_room(layouts.front())) break;
+      GenerateOptions larger = options_;
+      larger.normalize.room_growth = growth;
+      auto scene = prepare_plan(*plan_, catalog_, larger);
+      if (!scene || scene->room.polygon == outcome_.scene.room.polygon) break;
+      auto again = solve_variants(*scene, catalog_, options_.solve, options_.variants);
+      if (!again || again->front().relaxed.size() >= layouts.front().relaxed.size()) continue;
+      outcome_.scene = std::move(*scene);
+      layouts = std::move(*again);
+      LAYOUTBOX_CHECK(folder_.write_artefacts(Stage::kPlan, room()));
+    }
+    return layouts;
+  }
+
+  // Where relations contradict each other whatever the sizes are, no room is large enough.
+  static bool lacks_room(const Layout& layout) {
+    if (layout.status == LayoutStatus::kFallback || layout.relaxed.empty()) return false;
+    return layout.conflicts.empty() || std::ranges::any_of(layout.conflicts, [](const Conflict& c) { return !c.objects.empty(); });
+  }
+
   Status solve_scene() {
     begin();
     std::string others;
     if (given_) {
       outcome_.layout = *std::exchange(given_, std::nullopt);
     } else {
-      LAYOUTBOX_ASSIGN(std::vector<Layout> layouts, solve_variants(outcome_.scene, catalog_, options_.solve, options_.variants));
+      LAYOUTBOX_ASSIGN(std::vector<Layout> layouts, solve_where_it_fits());
       for (std::size_t k = 1; k < layouts.size(); ++k) others += fmt::format("; variant {}: {}", k + 1, variant_in_words(layouts, k));
       outcome_.layout = std::move(layouts[0]);
       outcome_.more_layouts.assign(std::make_move_iterator(layouts.begin() + 1), std::make_move_iterator(layouts.end()));

@@ -27,6 +27,25 @@ TEST(PreparePlan, NothingComesWithWhatAModelPlanned) {
   EXPECT_EQ(by_model->objects.size(), 2u);
 }
 
+// A desk with who sits behind it, and a recliner and a lamp across from it: no guessed study is deep enough.
+TEST(Generate, ARoomThatNobodyMeasuredGrowsUntilAllHasAPlace) {
+  const Catalog& catalog = Catalog::builtin();
+  const auto planner = make_offline_planner(catalog);
+  const std::string text =
+      "Writing desk close to the window, chair tucked in behind it. A leather recliner is set across from the desk, with a floor lamp just "
+      "behind the recliner.";
+  GenerateOptions options;
+  options.pictures = false;
+  for (const bool measured : {false, true}) {
+    const TemporaryFolder folder = TemporaryFolder::make("layoutbox-test-").value();
+    const std::string prompt = (measured ? "A study, 3.6 x 3.2 m. " : "A study. ") + text;
+    const auto made = generate(prompt, *planner, catalog, folder.path() / "out", options);
+    ASSERT_TRUE(made) << made.error().message;
+    EXPECT_EQ(made->layout.relaxed.empty(), !measured);
+    EXPECT_EQ(made->scene.room.polygon[2].x > 3600, !measured);
+  }
+}
+
 TEST(Artefacts, EveryNameOfTheTableIsAnOutput) {
   for (const Artefact& one : artefacts()) {
     EXPECT_TRUE(is_output_name(one.file)) << one.file;
