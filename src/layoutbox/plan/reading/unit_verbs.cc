@@ -1,6 +1,7 @@
 // What a verb that no list has says of two things: "a vase enlivens the sideboard", "a screen shields the bath".
 #include <algorithm>
 
+#include "layoutbox/base/words.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/knowledge.h"
