@@ -1,5 +1,6 @@
 #include "layoutbox/plan/offline/bare_corners.h"
 
+#include <algorithm>
 #include <initializer_list>
 #include <string_view>
 #include <utility>
@@ -50,10 +51,38 @@ void read_stage_words(Document& document, std::vector<bool>& skip) {
   splice(document, skip, std::move(words));
 }
 
+// "left wall", "right side" at `at`, right behind a thing and before a break: terse for "on the left wall".
+bool names_bare_wall(const Lexicon& lexicon, const Document& document, std::size_t at) {
+  const std::vector<Token>& tokens = document.tokens;
+  if (at == 0 || at + 1 >= tokens.size() || tokens[at - 1].ends_sentence || tokens[at].ends_sentence) return false;
+  const bool side = says_one_of(document, at, {"left", "right"}) && says_one_of(document, at + 1, {"side"});
+  const bool wall = says_one_of(document, at, {"left", "right", "back", "rear", "front", "far", "north", "south", "east", "west"}) &&
+                    says_one_of(document, at + 1, {"wall"});
+  if (!side && !wall) return false;
+  const std::size_t next = at + 2;
+  const bool ends = next >= tokens.size() || tokens[at + 1].ends_sentence || tokens[next].kind == Token::Kind::kPunctuation ||
+                    lexicon.is(tokens[next], WordClass::kAnd);
+  const Match thing = lexicon.find(tokens, at - 1);
+  const auto is_thing = [](const Meaning& m) {
+    return m.word_class == WordClass::kObject || m.word_class == WordClass::kDoor || m.word_class == WordClass::kWindow;
+  };
+  return ends && thing.length == 1 && std::ranges::any_of(thing.meanings, is_thing) && lexicon.find_phrase(tokens, at - 1).length == 0;
+}
+
+void complete_bare_walls(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
+  std::vector<Splice> words;
+  for (std::size_t i = 1; i + 1 < document.tokens.size(); ++i) {
+    if (skip[i] || !names_bare_wall(lexicon, document, i)) continue;
+    for (const std::string_view word : {"on", "the"}) words.push_back({i, corner_word(word)});
+  }
+  splice(document, skip, std::move(words));
+}
+
 }  // namespace
 
 void complete_bare_corners(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
   read_stage_words(document, skip);
+  complete_bare_walls(lexicon, document, skip);
   std::vector<Splice> words;
   for (std::size_t i = 0; i + 1 < document.tokens.size(); ++i) {
     if (skip[i] || !names_corner(lexicon, document, i)) continue;

@@ -1,6 +1,7 @@
 #include "layoutbox/plan/offline/inserts.h"
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 #include "layoutbox/plan/offline/english.h"
@@ -18,6 +19,7 @@ class InsertReader {
     for (std::size_t k = 0; k + 1 < chunks_.size(); ++k) {
       read_insert(k);
       read_headed_list(k);
+      read_ability(k);
       read_verb_between(k);
       read_quality(k);
       read_degree(k);
@@ -85,6 +87,29 @@ class InsertReader {
                        (chunks_[k + 2].noun.determiner == Determiner::kDefinite || chunks_[k + 2].noun.kind == NounKind::kPronoun);
     const std::size_t colon = of_it ? k + 2 : k + 3;
     if ((of_it || known) && is(colon, ChunkKind::kComma) && word(colon) == ":") chunks_[k].kind = ChunkKind::kStop;
+  }
+
+  // "a plant that cannot die", "hooks where my youngest can reach": what may be, and no tin.
+  void read_ability(std::size_t k) {
+    static constexpr std::array<std::string_view, 7> kMay = {"can", "cannot", "could", "will", "would", "might", "may"};
+    if (!is(k, ChunkKind::kRelative) && word(k) != "where" && word(k) != "that") return;
+    const auto may = [](const Token& token) { return std::ranges::find(kMay, token.text) != kMay.end(); };
+    if (is(k, ChunkKind::kNoun) && may(document_.tokens[std::min(chunks_[k].first + 1, chunks_[k].last - 1)])) {  // "that" is no article
+      pass_over(k, k + 1, "told by the way");
+      return;
+    }
+    std::size_t end = k + 1;
+    bool told = false;
+    for (; end < chunks_.size() && !is(end, ChunkKind::kComma) && !is(end, ChunkKind::kStop) && !is(end, ChunkKind::kAnd); ++end) {
+      const auto first = document_.tokens.begin() + static_cast<std::ptrdiff_t>(chunks_[end].first);
+      const auto last = document_.tokens.begin() + static_cast<std::ptrdiff_t>(chunks_[end].last);
+      told |= std::any_of(first, last, may);
+      const bool tin = is_thing(end) && last_word(end) == "can";
+      if (is(end, ChunkKind::kRelation) || is(end, ChunkKind::kHave) || is(end, ChunkKind::kThere) ||
+          (is_thing(end) && chunks_[end].noun.exact && !tin))
+        return;
+    }
+    if (told) pass_over(k, end, "told by the way");
   }
 
   // "three trunks block the corner", "two curtains screen the bed": between several things and an article stands no noun.
