@@ -213,10 +213,13 @@ class SenseChooser {
     return std::nullopt;
   }
 
-  // A door has no left of its own: beside it. A seat "on the opposite side" of a table or "along one side" sits at it.
+  // The left of a window or a door is that of whoever looks at it from the room; behind it is no room. A seat "on the opposite side" of a table or "along one side" sits at it.
   std::optional<PhraseSense> at_opening_or_table() const {
     const bool opening = is_opening(reference_);
-    if (opening && says_any({R::kLeftOf, R::kRightOf, R::kBehind})) return own(R::kNextTo);
+    for (const R side : {R::kLeftOf, R::kRightOf}) {
+      if (opening && says(side)) return own(side);
+    }
+    if (opening && says(R::kBehind)) return own(R::kNextTo);
     if (opening && says(R::kIn) && !says(R::kOn) && mount_of(target_) == Mount::kFloor && direction_ == PhraseSense::Direction::kDirect)
       return own(R::kNextTo);
     // "a basketball hoop on the door", "a wreath on the door": what hangs, beside it
