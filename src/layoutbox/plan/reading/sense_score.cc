@@ -18,9 +18,11 @@ double SenseScore::of_place(const PhraseSenses& senses, const NounPhrase& target
   if (sense->type == RelationType::kOn) score += on_top(target, reference);
   if (reference.entry != nullptr && reference.entry->is(Trait::kPet)) score += weight::kByAnimal;
   if (stands_beside(sense->type) && is_seat(catalog_, target) && is_table(catalog_, reference)) score += weight::kSeatByTable;
-  if (sense->type == RelationType::kOpposite && reference.entry != nullptr && reference.entry->is(Trait::kStandsBefore) &&
-      !is_seat(catalog_, target))
-    score += weight::kNotBeside;  // "a bench at the foot of the bed, a dresser opposite": the bed
+  if (sense->type == RelationType::kOpposite && reference.entry != nullptr && !is_seat(catalog_, target)) {
+    // "a bench at the foot of the bed, a dresser opposite", "a bed, a nightstand beside it, a wardrobe opposite": the bed
+    const bool by_another = !reference.entry->beside.empty() && !is_seat(catalog_, reference) && !is_heavy(catalog_, reference);
+    if (reference.entry->is(Trait::kStandsBefore) || by_another) score += weight::kNotBeside;
+  }
   if (sense->type == RelationType::kFacing && suited < 2) score += weight::kNoFront;
   if (sense->type == RelationType::kAlongSide && reference.kind == NounKind::kObject && !is_table(catalog_, reference))
     score += weight::kNoReference;
