@@ -189,6 +189,7 @@ class RelationBuilder : private RelationWriter {
   void lay_beds_along();
   void share_nightstand();
   void head_row_of_beds();
+  void keep_to_one_wall();
   void turn_two_sided_tables();
   void seat_around_faced_tables();
   void turn_screens_to_viewers();

@@ -221,6 +221,21 @@ void RelationBuilder::head_row_of_beds() {
   }
 }
 
+// "four booths along one wall", "five bookcases against a wall": all at the same one.
+void RelationBuilder::keep_to_one_wall() {
+  std::map<std::pair<std::string, std::string>, std::vector<std::string>> along;  // by kind and by what was said
+  for (const Relation& relation : scene_.relations) {
+    const bool one = words_.have_phrase(relation, {"one", "wall"}) || words_.have_phrase(relation, {"a", "wall"}) ||
+                     words_.have_phrase(relation, {"the", "wall"});
+    const SceneObject* object = relation.targets.size() == 1 ? object_of(relation.targets[0]) : nullptr;
+    if (relation.type == R::kAgainstWall && relation.references.empty() && one && object != nullptr)
+      along[{object->category, relation.why}].push_back(object->id);
+  }
+  for (const auto& [said, things] : along) {
+    if (things.size() > 1) add_habit(R::kRow, things, {}, kTogether, "several along a wall are all at that one");
+  }
+}
+
 // "two rows of four desks back to back": an island of two rows, which is how such desks stand anyhow.
 void RelationBuilder::make_islands() {
   const auto backs = [&](const Relation& r) { return words_.have_phrase(r, {"back", "to", "back"}); };
@@ -253,6 +268,7 @@ void RelationBuilder::add_habits() {
   lay_beds_along();
   share_nightstand();
   head_row_of_beds();
+  keep_to_one_wall();
   turn_two_sided_tables();
   turn_screens_to_viewers();
   seat_around_faced_tables();

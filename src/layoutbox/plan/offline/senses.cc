@@ -213,7 +213,8 @@ class SenseChooser {
     return std::nullopt;
   }
 
-  // The left of a window or a door is that of whoever looks at it from the room; behind it is no room. A seat "on the opposite side" of a table or "along one side" sits at it.
+  // The left of a window or a door is that of whoever looks at it from the room; behind it is no room. A seat "on the opposite side" of a
+  // table or "along one side" sits at it.
   std::optional<PhraseSense> at_opening_or_table() const {
     const bool opening = is_opening(reference_);
     for (const R side : {R::kLeftOf, R::kRightOf}) {
