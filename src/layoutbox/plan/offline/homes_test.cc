@@ -220,13 +220,13 @@ TEST(Homes, StoolsOfAnIslandAreNoChairsOfTheTable) {
   EXPECT_EQ(count(planned("Kitchen with an island and 4 stools, grey sofa, dining table for 6."), "dining_chair"), 6);
 }
 
-TEST_F(Homes, SeveralAlongOneWallAreAtTheSame) {
+TEST(Homes, SeveralAlongOneWallAreAtTheSame) {
   const auto rows = [&](const SceneGraph& scene) {
     return std::ranges::count_if(scene.relations, [](const Relation& r) { return r.type == RelationType::kRow && !r.hard; });
   };
-  EXPECT_EQ(rows(scene("A polling station with four voting booths along one wall and a table.")), 1);
-  EXPECT_EQ(rows(scene("A shop with five bookcases against the walls.")), 0);
-  EXPECT_EQ(rows(scene("A study with a bookcase against the wall and a desk against the wall.")), 0);
+  EXPECT_EQ(rows(planned("A polling station with four voting booths along one wall and a table.")), 1);
+  EXPECT_EQ(rows(planned("A shop with five bookcases against the walls.")), 0);
+  EXPECT_EQ(rows(planned("A study with a bookcase against the wall and a desk against the wall.")), 0);
 }
 
 }  // namespace
