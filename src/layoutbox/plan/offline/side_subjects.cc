@@ -12,7 +12,7 @@ namespace {
 class SideTurner {
  public:
   SideTurner(const Lexicon& lexicon, Document& document, std::vector<bool>& skip)
-      : lexicon_(lexicon), document_(document), tokens_(document.tokens), readings_(document.readings), skip_(skip) {}
+      : lexicon_(lexicon), document_(document), tokens_(document.tokens), skip_(skip) {}
 
   void run() {
     for (std::size_t i = 0; i + 4 < tokens_.size(); ++i) {
@@ -83,7 +83,6 @@ class SideTurner {
   const Lexicon& lexicon_;
   Document& document_;
   std::vector<Token>& tokens_;
-  std::vector<WordReading>& readings_;
   std::vector<bool>& skip_;
 };
 
