@@ -124,6 +124,7 @@ class RelationBuilder : private RelationWriter {
   void stand_at_wall_across(const std::string& opening, const std::string& wall);
   bool stands_at_walls(const NounPhrase& noun) const;
   void add_seats_at_sides(const Link& link, const std::vector<int>& seats, int table);
+  static bool fits_beside_in_corner(const NounPhrase& noun);
   void add_corners(const Link& link, const Mention& target, const NounPhrase& corner);
   bool is_placed(int item) const;
   void keep_standing(std::vector<int>& items) const;

@@ -376,6 +376,12 @@ void RelationBuilder::add_seats_at_sides(const Link& link, const std::vector<int
   }
 }
 
+// So small that a second one is in the corner as well.
+constexpr Mm kInCorner = 800;
+bool RelationBuilder::fits_beside_in_corner(const NounPhrase& noun) {
+  return noun.entry != nullptr && std::max(noun.entry->size.usual.width, noun.entry->size.usual.depth) <= kInCorner;
+}
+
 void RelationBuilder::add_corners(const Link& link, const Mention& target, const NounPhrase& corner) {
   static const std::vector<std::vector<std::string>> kCorners = {
       {"left", "back"}, {"right", "back"}, {"left", "front"}, {"right", "front"}};
@@ -389,14 +395,23 @@ void RelationBuilder::add_corners(const Link& link, const Mention& target, const
       add(link, R::kCorner, {id(target.items[t])}, named[t % named.size()]);
     if (!named.empty()) return;
   }
+  bool several = corner.is_plural();  // "in the corners of the room"
+  for (std::size_t i = link.first; i < link.last; ++i) several |= document_.tokens[i].text == "corners";
   const bool every = corner.determiner == Determiner::kEach || corner.determiner == Determiner::kBoth || corner.count == 4;
   for (std::size_t t = 0; t < target.items.size(); ++t) {
     const auto references = every && target.items.size() > 1 ? kCorners[t % kCorners.size()] : side;
-    // "two fitting rooms at the back right": one is in that corner, the other beside it.
-    if (!every && t > 0 && side.size() == 2 && mount_of(target.noun) == Mount::kFloor)
+    // "two fitting rooms at the back right", "three armchairs in a corner": one is in it, the others beside it; "boxes in the corner": all.
+    const bool with_first = !every && !several && t > 0 && mount_of(target.noun) == Mount::kFloor;
+    if (with_first && (side.size() == 2 || !fits_beside_in_corner(target.noun))) {
       add(link, R::kNextTo, {id(target.items[t])}, {id(target.items[t - 1])});
-    else
-      add(link, R::kCorner, {id(target.items[t])}, references);
+      continue;
+    }
+    add(link, R::kCorner, {id(target.items[t])}, references);
+    if (!with_first) continue;
+    if (scene_.relations.back().type == R::kCorner) scene_.relations.back().parameters.max = kInCorner;
+    Link together = link;
+    together.soft = together.concluded = true;
+    add(together, R::kNextTo, {id(target.items[t])}, {id(target.items[0])});
   }
 }
 
