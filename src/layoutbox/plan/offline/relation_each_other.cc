@@ -66,14 +66,15 @@ void RelationBuilder::add_island(const Link& link, const std::vector<int>& membe
   scene_.relations.back().parameters.gap = 0;
 }
 
-// What has a back stands back to back in its island.
+// What has a back stands back to back in its island; pupils sit behind their desks, whose fronts meet.
 void RelationBuilder::add_island_of_backs(const Link& link, const std::vector<int>& members) {
   add_island(link, members);
   const CatalogEntry* entry = noun_of_item(members.front()).entry;
+  const R meets = user_side(members.front()) == R::kBehind ? R::kInFrontOf : R::kBehind;
   for (std::size_t i = 0; entry != nullptr && entry->has_front && i < members.size() / 2; ++i) {
     const std::string &front = id(members[i]), &back = id(members[i + members.size() / 2]);
-    add(link, R::kBehind, {front}, {back});
-    add(link, R::kBehind, {back}, {front});
+    add(link, meets, {front}, {back});
+    add(link, meets, {back}, {front});
   }
 }
 

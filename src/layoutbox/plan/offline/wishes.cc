@@ -132,6 +132,11 @@ class Furnisher {
                        [&](const SceneObject& o) { return catalog_.is_a(o.category, entry.id); });
   }
 
+  // A chair by a bistro table: that is a table.
+  bool is_beside(const CatalogEntry& seat, const std::string& table) const {
+    return std::ranges::any_of(seat.beside, [&](const std::string& kind) { return catalog_.is_a(table, kind); });
+  }
+
   void add(const CatalogEntry& entry, int count) {
     for (int i = 0; i < count; ++i) {
       SceneObject object;
@@ -160,7 +165,7 @@ class Furnisher {
       const double floor = entry->mount == Mount::kFloor && !entry->thin ? area_of(entry->size.usual) * count : 0;
       const double with_seats = floor + (entry->is(Trait::kTable) ? seats_floor(kind, *entry) : 0);
       const bool seat_alone = entry->is(Trait::kTableSeat) && std::ranges::none_of(scene_.objects, [&](const SceneObject& object) {
-                                return std::ranges::find(entry->beside, object.category) != entry->beside.end();
+                                return is_beside(*entry, object.category);
                               });
       if (whole && needed == needs.end() && taken >= kTells && (with_seats > floor_left || (seat_alone && floor > 0))) continue;
       floor_left -= floor;
@@ -174,7 +179,7 @@ class Furnisher {
     double area = 0;
     for (const auto& [category, count] : kind.usual) {
       const CatalogEntry* seat = catalog_.find(category);
-      if (seat == nullptr || !seat->is(Trait::kTableSeat) || std::ranges::find(seat->beside, table.id) == seat->beside.end()) continue;
+      if (seat == nullptr || !seat->is(Trait::kTableSeat) || !is_beside(*seat, table.id)) continue;
       area += area_of(seat->size.usual) * count;
     }
     return area;
