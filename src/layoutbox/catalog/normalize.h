@@ -10,10 +10,10 @@ namespace layoutbox {
 struct NormalizeOptions {
   // DEFAULT: 0 = from the scene, else from the kind of room and what it must hold. Millimetres.
   Size room_size{};
-  // By how much a room of which nobody says how large it is becomes longer and deeper than it is guessed. REQUIRES: > 0. DEFAULT: 1.
-  double room_growth = 1;
   // DEFAULT: true. A room whose scene names no openings gets a door and a window (marked as assumed).
   bool default_openings = true;
+  // By how much a room of which nobody says how large it is becomes longer and deeper than it is guessed. REQUIRES: > 0. DEFAULT: 1.
+  double room_growth = 1;
 };
 
 // The corners of a room of that shape ("L", "T", "U", "round": eight walls; anything else: a rectangle) within a box of that width and

@@ -3,6 +3,7 @@
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/kin.h"
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/people.h"
 
@@ -29,17 +30,32 @@ const NounPhrase* owner_of(const std::vector<Chunk>& chunks, std::size_t k) {
   return nullptr;
 }
 
-// "chairs for patients", "two chairs for the owners": whose a thing is, by the word behind "for"; empty: nobody's.
-std::string user_of(const Document& document, std::size_t k) {
-  constexpr std::size_t kNearby = 3;
+// "chairs for patients", "two chairs in front of the desk for the owners": whose a thing is, by the word behind "for" in its item of a
+// list; empty: nobody's.
+std::string user_of(const Lexicon& lexicon, const Document& document, std::size_t k) {
+  constexpr std::size_t kNearby = 3, kPlace = 7;
   const std::vector<Token>& tokens = document.tokens;
-  const std::size_t at = document.chunks[k].last;
-  if (at + 1 >= tokens.size() || tokens[at].text != "for" || (at > 0 && tokens[at - 1].ends_sentence)) return {};
+  std::size_t at = document.chunks[k].last;
+  if (at == 0 || tokens[at - 1].ends_sentence) return {};
+  const std::size_t most = std::min(tokens.size(), at + kPlace);
+  const auto ends = [&](std::size_t i) {
+    return tokens[i].ends_sentence || tokens[i].kind == Token::Kind::kPunctuation || lexicon.is(tokens[i], WordClass::kAnd);
+  };
+  while (at < most && tokens[at].text != "for" && !ends(at)) ++at;
+  if (at >= most || tokens[at].text != "for" || at + 1 >= tokens.size()) return {};
   for (std::size_t t = at + 1; t < std::min(tokens.size(), at + 1 + kNearby); ++t) {
     std::string word = singular_of(tokens[t].text);
     if (!kinds_for(word).empty()) return word;
   }
   return {};
+}
+
+// Where tables are named and no desk, who comes eats.
+bool dines(const std::vector<Chunk>& chunks) {
+  const auto names = [&](Trait trait) {
+    return std::ranges::any_of(chunks, [&](const Chunk& chunk) { return names_thing(chunk) && chunk.noun.entry->is(trait); });
+  };
+  return names(Trait::kTable) && !names(Trait::kDeskLike);
 }
 
 }  // namespace
@@ -59,7 +75,7 @@ void settle_company(const Lexicon& lexicon, Document& document) {
       noun.kind = NounKind::kPart;
       continue;
     }
-    if (const std::string user = user_of(document, k); !user.empty()) {
+    if (const std::string user = user_of(lexicon, document, k); !user.empty() && !dines(chunks)) {
       const CatalogEntry* kind = catalog.find(std::string(kinds_for(user)));
       if (kind != nullptr && noun.name == noun.head && catalog.is_a(kind->id, noun.entry->id)) noun.entry = kind, noun.category = kind->id;
     }
