@@ -185,7 +185,9 @@ class Decoder {
   void contents_of(const State& state, int u, const NounPhrase& noun, double order, const Trial& trial) const;
   void named_last(const State& state, const Trial& trial) const;
   double clause_antecedents(const State& state, const NounPhrase* noun, const Trial& trial) const;
-  double earlier_antecedents(const State& state, const NounPhrase* noun, const Trial& trial, double order) const;
+  bool carries_first(const State& state, int u) const;
+  double topics_before(const State& state, const NounPhrase* noun, const Trial& trial, double order) const;
+  double references_before(const State& state, const NounPhrase* noun, const Trial& trial, double order) const;
   bool placed_by_before(const State& state, int u) const;
   void text_antecedents(const State& state, const PhraseSenses* senses, const Trial& trial, double order) const;
   double by_small_score(const State& state, const NounPhrase& target, Referent referent, const PhraseSenses& senses) const;

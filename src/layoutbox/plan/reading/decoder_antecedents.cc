@@ -321,7 +321,7 @@ double Decoder::clause_antecedents(const State& state, const NounPhrase* noun, c
     for (std::size_t f = state.frontier.size(); noun != nullptr && noun->kind == NounKind::kMember && f-- > 1;)
       trial(state.frontier[f], order + 0.2, false);
   }
-  order = earlier_antecedents(state, noun, trial, order + 1);
+  order = references_before(state, noun, trial, topics_before(state, noun, trial, order + 1));
   for (std::size_t f = state.frontier.size(); f-- > 1;) {
     lists(state.frontier[f], order);
     order += trial(state.frontier[f], order, false) ? 0.4 : 0;
@@ -338,8 +338,8 @@ double Decoder::clause_antecedents(const State& state, const NounPhrase* noun, c
   return order;
 }
 
-// What clauses were about, and what things were placed by.
-double Decoder::earlier_antecedents(const State& state, const NounPhrase* noun, const Trial& trial, double order) const {
+// What clauses were about.
+double Decoder::topics_before(const State& state, const NounPhrase* noun, const Trial& trial, double order) const {
   const bool pronoun = noun != nullptr && !noun->head.empty(), listed = is_list_wanted(noun);
   const bool said = pronoun && noun->kind == NounKind::kPronoun;
   for (std::size_t r = state.roots.size(), looked = 0; r-- > 0 && looked < 6; ++looked) {
@@ -351,13 +351,15 @@ double Decoder::earlier_antecedents(const State& state, const NounPhrase* noun, 
       again += read_as(state, u).role == NounRole::kReference && same(state, u, root) ? 1 : 0;
     order += trial(root, order - (again > 1 && said ? weight::kNamedAgain : again > 0 ? weight::kNamedOnceMore : 0), false) ? 0.6 : 0;
   }
+  return order;
+}
+
+// What things were placed by.
+double Decoder::references_before(const State& state, const NounPhrase* noun, const Trial& trial, double order) const {
+  const bool pronoun = noun != nullptr && !noun->head.empty(), said = pronoun && noun->kind == NounKind::kPronoun;
   for (int u = static_cast<int>(state.units.size()), looked = 0; u-- > 0 && looked < 6;) {
     if (!is(u, UnitKind::kNoun) || read_as(state, u).role != NounRole::kReference) continue;
-    // "On the counter are a till and a vase; in front of it …"
-    const int place = read_as(state, u).predicate;
-    const bool first = said && place >= 0 && is(place, UnitKind::kPlace) && read_as(state, place).fronted && is_thing(state, u) &&
-                       says(unit(place).direct, &RelationTraits::rests);
-    if (first) trial(u, order - weight::kNamedOnceMore, false);
+    if (said && carries_first(state, u)) trial(u, order - weight::kNamedOnceMore, false);
     // What was known before and is named once more is what things are placed by.
     const double known = is_known(state, u) ? pronoun ? 0.3 : 0.8 : 0;
     const double again = known > 0 && said && placed_by_before(state, u) ? weight::kNamedAgain : 0;
@@ -365,6 +367,13 @@ double Decoder::earlier_antecedents(const State& state, const NounPhrase* noun, 
     ++looked;
   }
   return order;
+}
+
+// "On the counter are a till and a vase; in front of it …": the counter.
+bool Decoder::carries_first(const State& state, int u) const {
+  const int place = read_as(state, u).predicate;
+  return place >= 0 && is(place, UnitKind::kPlace) && read_as(state, place).fronted && is_thing(state, u) &&
+         says(unit(place).direct, &RelationTraits::rests);
 }
 
 // "a chair pulled up to the desk, a box next to the desk and a map above it": another place of the sentence is by the same thing.

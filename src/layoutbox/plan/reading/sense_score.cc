@@ -18,11 +18,7 @@ double SenseScore::of_place(const PhraseSenses& senses, const NounPhrase& target
   if (sense->type == RelationType::kOn) score += on_top(target, reference);
   if (reference.entry != nullptr && reference.entry->is(Trait::kPet)) score += weight::kByAnimal;
   if (stands_beside(sense->type) && is_seat(catalog_, target) && is_table(catalog_, reference)) score += weight::kSeatByTable;
-  if (sense->type == RelationType::kOpposite && reference.entry != nullptr && !is_seat(catalog_, target)) {
-    // "a bench at the foot of the bed, a dresser opposite", "a bed, a nightstand beside it, a wardrobe opposite": the bed
-    const bool by_another = !reference.entry->beside.empty() && !is_seat(catalog_, reference) && !is_heavy(catalog_, reference);
-    if (reference.entry->is(Trait::kStandsBefore) || by_another) score += weight::kNotBeside;
-  }
+  if (sense->type == RelationType::kOpposite) score += opposite(target, reference);
   if (sense->type == RelationType::kFacing && suited < 2) score += weight::kNoFront;
   if (sense->type == RelationType::kAlongSide && reference.kind == NounKind::kObject && !is_table(catalog_, reference))
     score += weight::kNoReference;
@@ -41,6 +37,13 @@ double SenseScore::of_place(const PhraseSenses& senses, const NounPhrase& target
   if ((sense->type == RelationType::kEachSideOf || sense->type == RelationType::kNextTo) && stands_by(catalog_, target, reference))
     score += weight::kStandsBy;
   return score;
+}
+
+// "a bench at the foot of the bed, a dresser opposite", "a bed, a nightstand beside it, a wardrobe opposite": the bed.
+double SenseScore::opposite(const NounPhrase& target, const NounPhrase& reference) const {
+  if (reference.entry == nullptr || is_seat(catalog_, target)) return 0;
+  const bool by_another = !reference.entry->beside.empty() && !is_seat(catalog_, reference) && !is_heavy(catalog_, reference);
+  return reference.entry->is(Trait::kStandsBefore) || by_another ? weight::kNotBeside : 0;
 }
 
 // "arranged with a glass in front of each chair": what lies on the table, not the table. `so_far`: what speaks against small things there.

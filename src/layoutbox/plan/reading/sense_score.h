@@ -23,6 +23,7 @@ class SenseScore {
   // A thing that is above another.
   double on_top(const NounPhrase& target, const NounPhrase& reference) const;
   double before_each_seat(const NounPhrase& target, const NounPhrase& reference, double so_far) const;
+  double opposite(const NounPhrase& target, const NounPhrase& reference) const;
   double at_end(RelationType type, const NounPhrase& reference) const;
   double over(const NounPhrase& target, const NounPhrase& reference) const;
   bool small_host(const NounPhrase& host) const;
