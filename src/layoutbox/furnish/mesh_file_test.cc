@@ -13,8 +13,6 @@
 namespace layoutbox {
 namespace {
 
-using ::testing::HasSubstr;
-
 // A triangle as glTF; `buffer` is what its buffer's uri says.
 std::string gltf(const std::string& buffer, int last_index = 2) {
   return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"translation":[0,5,0]}],
