@@ -222,12 +222,14 @@ class Run {
   Result<std::vector<Layout>> solve_where_it_fits() {
     LAYOUTBOX_ASSIGN(std::vector<Layout> layouts, solve_variants(outcome_.scene, catalog_, options_.solve, options_.variants));
     for (const double growth : {1.15, 1.3}) {
-      if (!plan_ || stopped() || !lacks_room(layouts.front())) break;
+      SolveOptions rest = options_.solve;  // all of it within the one limit
+      rest.time_limit_s -= std::chrono::duration<double>(Clock::now() - started_).count();
+      if (!plan_ || stopped() || rest.time_limit_s <= 0 || !lacks_room(layouts.front())) break;
       GenerateOptions larger = options_;
       larger.normalize.room_growth = growth;
       auto scene = prepare_plan(*plan_, catalog_, larger);
       if (!scene || scene->room.polygon == outcome_.scene.room.polygon) break;
-      auto again = solve_variants(*scene, catalog_, options_.solve, options_.variants);
+      auto again = solve_variants(*scene, catalog_, rest, options_.variants);
       if (!again || again->front().relaxed.size() >= layouts.front().relaxed.size()) continue;
       outcome_.scene = std::move(*scene);
       layouts = std::move(*again);

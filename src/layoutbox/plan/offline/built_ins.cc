@@ -121,9 +121,10 @@ void settle_glosses(Document& document) {
     if (!is_object(k) || !says(k + 1, "(") || !is_object(k + 2) || !says(k + 3, ")")) continue;
     NounPhrase &noun = chunks[k].noun, &gloss = chunks[k + 2].noun;
     if (gloss.determiner != Determiner::kNone || gloss.count > 1 || gloss.is_plural() != noun.is_plural()) continue;
-    const bool special = noun.exact && gloss.exact && gloss.entry->kind_of == noun.entry->id;
-    if (noun.exact && gloss.exact && noun.entry != gloss.entry && noun.entry->kind_of != gloss.entry->id && !special) continue;
-    if (gloss.exact && (special || !noun.exact)) {
+    const bool known = noun.exact && noun.entry != nullptr, told = gloss.exact && gloss.entry != nullptr;
+    const bool special = known && told && gloss.entry->kind_of == noun.entry->id;
+    if (known && told && noun.entry != gloss.entry && noun.entry->kind_of != gloss.entry->id && !special) continue;
+    if (told && (special || !known)) {
       noun.entry = gloss.entry, noun.category = gloss.category, noun.head = gloss.head, noun.exact = true;
     }
     for (std::size_t i = k + 1; i < k + 4; ++i) chunks[i].kind = ChunkKind::kIgnored;

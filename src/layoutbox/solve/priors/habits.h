@@ -17,6 +17,8 @@ namespace layoutbox::placement {
 inline constexpr int kBackToWall = 900, kBeside = 500, kFaces = 600, kAtWall = 150, kSeatToWall = 700, kRug = 300, kHint = 800,
                      kHintOfTurn = 20000, kOpeningPlace = 80, kHangs = 200, kSits = 400, kCurtain = 900, kMiddle = 40, kLight = 25,
                      kFormation = 150, kInLine = 1000;
+// Between the seats that are before mirrors; the mirrors hang as far apart as those need.
+inline constexpr Mm kBetweenMirrored = 450;
 
 inline std::int64_t area_of(const Item& item) { return std::int64_t{item.states[0].size.width} * item.states[0].size.depth; }
 

@@ -30,7 +30,7 @@ int Habits::curtained_by(int item) const {
 
 // Several of a kind of which the same is said (hooks above a bench, three pictures) hang side by side at one height.
 bool Habits::hang_in_row(int item) {
-  constexpr Mm kLeastAir = 80, kMostAir = 250, kBetweenSeats = 450;
+  constexpr Mm kLeastAir = 80, kMostAir = 250;
   constexpr int kInRow = 400;
   const auto said_of = [&](int i) {
     std::vector<std::pair<RelationType, std::vector<std::string>>> said;
@@ -57,7 +57,7 @@ bool Habits::hang_in_row(int item) {
   const Mm air = std::clamp(self.states[0].size.width / 2, kLeastAir, kMostAir);
   const auto width_of = [&](int i) {
     const int seat = seat_facing(i);
-    return std::max(model_.items[i].states[0].size.width + air, seat < 0 ? 0 : model_.items[seat].states[0].size.width + kBetweenSeats);
+    return std::max(model_.items[i].states[0].size.width + air, seat < 0 ? 0 : model_.items[seat].states[0].size.width + kBetweenMirrored);
   };
   const Mm pitch2 = width_of(item) + width_of(before);
   Formula f;

@@ -64,7 +64,8 @@ bool Habits::sit_before_mirror(int item) {
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     if (!model_.items[i].is_opening() && mirror_of(static_cast<int>(i)) == mirror) seats.push_back(static_cast<int>(i));
   }
-  sit_in_row(item, mirror, {.name = "before its mirror", .side = Side::kFront, .seats = std::move(seats), .between = 450, .off = 650});
+  sit_in_row(item, mirror,
+             {.name = "before its mirror", .side = Side::kFront, .seats = std::move(seats), .between = kBetweenMirrored, .off = 650});
   return true;
 }
 
