@@ -2,11 +2,14 @@
 #include <algorithm>
 
 #include "layoutbox/base/words.h"
+#include "layoutbox/catalog/catalog.h"
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
 #include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
+
+constexpr std::string_view kBunch = "bunch";
 
 bool NounPhraseReader::read_count() {
   // "the other a stack of books" is two phrases.
@@ -61,8 +64,21 @@ std::string_view NounPhraseReader::heap_at(std::size_t at, std::size_t length) c
   for (std::size_t i = at; i < at + length; ++i) {
     const std::string_view heap = word_of(WordSet::kHeaps, singular_of(tokens_[i].text));
     if (!heap.empty() && (heap == tokens_[i].text || counted_)) return heap;
+    if (singular_of(tokens_[i].text) == kBunch && is_tied(at + length) && (tokens_[i].text == kBunch || counted_)) return kBunch;
   }
   return {};
+}
+
+// "a bunch of keys", "three bunches of grapes" hang together; "a bunch of chairs" is only several.
+bool NounPhraseReader::is_tied(std::size_t at) const {
+  const Match thing = lexicon_.find(tokens_, at, WordClass::kObject);
+  if (at >= tokens_.size()) return false;
+  const std::size_t last = at + std::max<std::size_t>(thing.length, 1) - 1;
+  if (one_of(singular_of(tokens_[last].text), WordSet::kTied)) return true;
+  const Meaning* meaning = meaning_of(thing, WordClass::kObject);
+  const Catalog& catalog = lexicon_.catalog();
+  return meaning != nullptr && meaning->entry != nullptr &&
+         (catalog.is_a(meaning->entry->id, "plant") || catalog.is_a(meaning->entry->id, "fruit"));
 }
 
 // A number in words, or "several"; the word may belong to something longer or be an adjective.

@@ -179,6 +179,7 @@ class NounPhraseReader {
   const CatalogEntry* pair_of(const PhrasePart& head) const;
   std::string_view settle_pair(const PhrasePart& head);
   std::string_view heap_at(std::size_t at, std::size_t length) const;
+  bool is_tied(std::size_t at) const;
   void settle_heap(const PhrasePart& head);
   void count_singly(const PhrasePart& head);
   void settle_vague(const PhrasePart& head);

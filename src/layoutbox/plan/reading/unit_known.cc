@@ -46,13 +46,22 @@ bool UnitReader::is_thing_in_company(std::size_t k) const {
       noun.name.find(" of ") != std::string::npos)
     return false;
   if (word_form(noun.head) == WordForm::kPerson || lexicon_.is_person(noun.head)) return false;
-  if (stands_among_things(k)) return true;
+  return stands_among_things(k) || is_told_where(k);
+}
+
+// "a script on the sofa", "on the table lies a telegram", "on the desk a ticket lies"
+bool UnitReader::is_told_where(std::size_t k) const {
+  const auto is_at = [&](std::size_t place, std::size_t by) {
+    if (!is(place, ChunkKind::kRelation) || !is(by, ChunkKind::kNoun)) return false;
+    const NounPhrase& host = chunk(by).noun;
+    return is_part_of_room(host) || (host.kind == NounKind::kObject && host.exact && host.determiner == Determiner::kDefinite);
+  };
   std::size_t place = next(k);
   if (is(place, ChunkKind::kVerb) || is(place, ChunkKind::kParticiple)) place = next(place);
-  const std::size_t by = next(place);
-  if (!is(place, ChunkKind::kRelation) || !is(by, ChunkKind::kNoun)) return false;
-  const NounPhrase& host = chunk(by).noun;
-  return is_part_of_room(host) || (host.kind == NounKind::kObject && host.exact && host.determiner == Determiner::kDefinite);
+  if (is_at(place, next(place))) return true;
+  const bool fronted = !is(previous(k), ChunkKind::kVerb);
+  const std::size_t by = fronted ? previous(k) : previous(previous(k)), where = previous(by);
+  return is_at(where, by) && (!fronted || where == 0 || is(where - 1, ChunkKind::kStop));
 }
 
 // "four display cases … in front of every case": a word that is a thing only in a rarer sense speaks of one whose name ends so.

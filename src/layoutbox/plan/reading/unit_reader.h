@@ -173,6 +173,7 @@ class UnitReader {
   bool is_part(std::size_t k) const;
   bool names_known(std::size_t k) const;
   bool is_thing_in_company(std::size_t k) const;
+  bool is_told_where(std::size_t k) const;
   bool lists_on_thing(std::size_t k) const;
   bool stands_among_things(std::size_t k) const;
   bool inverts_after(std::size_t k) const;
