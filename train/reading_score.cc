@@ -1,4 +1,4 @@
-// reading_score: how well descriptions are read, at the level of the scene graph (docs/plan.md).
+// reading_score: how well descriptions are read, at the level of the scene graph (docs/reading-measured.md).
 //
 //   reading_score [--misses] TARGETS.jsonl …       TARGETS: what reading_targets.py writes
 #include <cstdio>

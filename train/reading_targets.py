@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What descriptions should be read as, a line of JSON each, for reading_score (docs/plan.md).
+"""What descriptions should be read as, a line of JSON each, for reading_score (docs/reading-measured.md).
 
 usage: reading_targets.py FILE… > targets.jsonl
 FILE: annotated prompts (CSV with ID, Description, OORel, OARel) or generated descriptions (JSONL of fresh_rooms.py, whose relations are all

@@ -1,4 +1,4 @@
-// tune_reading: a coordinate search for the weights of a reading (docs/plan.md).
+// tune_reading: a coordinate search for the weights of a reading (docs/reading-measured.md).
 //
 //   tune_reading [--halves] TARGETS.jsonl …     TARGETS: what reading_targets.py writes, a file a set
 //

@@ -104,8 +104,11 @@ std::size_t Chunker::look_begins() const {
 }
 
 bool Chunker::read_look() {
-  if (previous() != ChunkKind::kNoun || chunks_.empty() || chunks_.back().last != i_) return false;
-  NounPhrase& noun = chunks_.back().noun;
+  // "a sofa, in dark green,"
+  const bool parted_off = previous() == ChunkKind::kComma && chunks_.size() > 1 && chunks_.back().last == i_ && tokens_[i_].text == "in" &&
+                          chunks_[chunks_.size() - 2].kind == ChunkKind::kNoun && chunks_[chunks_.size() - 2].last == chunks_.back().first;
+  if (!parted_off && (previous() != ChunkKind::kNoun || chunks_.empty() || chunks_.back().last != i_)) return false;
+  NounPhrase& noun = chunks_[chunks_.size() - (parted_off ? 2 : 1)].noun;
   if (noun.kind != NounKind::kObject && noun.kind != NounKind::kPart && noun.kind != NounKind::kDoor && noun.kind != NounKind::kWindow)
     return false;
   const std::size_t from = look_begins();

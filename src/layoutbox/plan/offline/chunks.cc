@@ -164,7 +164,7 @@ PhraseMatch Chunker::phrase_here() const {
   // "on the left and right walls": not on the left.
   if (joins_walls(lexicon_, tokens_, after)) return lexicon_.find_phrase(tokens_.first(i_ + 1), i_);
   const Token& next = tokens_[after].text == "hand" && after + 1 < tokens_.size() ? tokens_[after + 1] : tokens_[after];
-  if (next.text != "one" && !lexicon_.is(next, WordClass::kWall) && !lexicon_.is(next, WordClass::kCorner) &&
+  if (next.text != "one" && next.text != "walls" && !lexicon_.is(next, WordClass::kWall) && !lexicon_.is(next, WordClass::kCorner) &&
       !lexicon_.is(next, WordClass::kSide))
     return phrase;
   const PhraseMatch shorter = lexicon_.find_phrase(tokens_.first(i_ + 1), i_);

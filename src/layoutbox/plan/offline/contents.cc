@@ -61,7 +61,7 @@ std::vector<int> RelationBuilder::hosts_of(const Link& link, int m) const {
   if (link.references.size() > 1 && std::any_of(hosts.begin(), hosts.end(), carries))
     std::erase_if(hosts, [&](int h) { return !carries(h); });
   // "a kitchen run with an island and three stools": at what of the list one sits at.
-  if (!is_seat(catalog_, target.noun) || is_table(catalog_, noun_of_item(hosts.front()))) return hosts;
+  if (!is_seat(catalog_, target.noun) || one_sits_at(catalog_, noun_of_item(hosts.front()))) return hosts;
   const auto table = std::find_if(link.targets.begin(), link.targets.end(), [&](int t) {
     return t < m && !mention(t).items.empty() && is_table(catalog_, mention(t).noun) && mount_of(mention(t).noun) == Mount::kFloor;
   });
@@ -157,7 +157,7 @@ void RelationBuilder::add_content(const Link& link, const Mention& target, const
   const auto each = [&](R type) { share_out(link, type, target.items, hosts); };
   const Mount mount = mount_of(thing);
   if (thing.entry != nullptr && thing.entry->thin && mount == Mount::kFloor) return each(R::kUnder);
-  if (is_table(catalog_, host) && is_seat(catalog_, thing)) return add_seats(link, target.items, hosts);
+  if (one_sits_at(catalog_, host) && is_seat(catalog_, thing)) return add_seats(link, target.items, hosts);
   const bool joined = is_joined_by(link);
   const bool great = thing.entry != nullptr && thing.entry->back_to_wall;  // a wardrobe
   // "a table crowded with bottles and an alembic": whatever it is, a table's top has it.

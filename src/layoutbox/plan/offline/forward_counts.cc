@@ -205,6 +205,24 @@ void share_out_list(std::vector<Chunk>& chunks, std::size_t k, int people) {
   }
 }
 
+// "a bed each", "one desk each": the chunk at k is a thing, of which everybody has as many as it says, and no thing of its sentence before
+// it is there more than once, which "each" could mean.
+bool is_each_ones(const std::vector<Chunk>& chunks, std::size_t k) {
+  const auto is_each = [&](std::size_t c) {
+    const NounPhrase& noun = chunks[c].noun;
+    return chunks[c].kind == ChunkKind::kNoun && noun.kind == NounKind::kMember && noun.determiner == Determiner::kEach && !noun.of &&
+           noun.last == noun.first + 1;
+  };
+  const NounPhrase& thing = chunks[k].noun;
+  const bool anew = thing.determiner == Determiner::kIndefinite || thing.determiner == Determiner::kNone;
+  if (k + 1 >= chunks.size() || !is_thing(chunks[k]) || !anew || !is_each(k + 1)) return false;
+  for (std::size_t c = k; c-- > 0 && chunks[c].kind != ChunkKind::kStop;) {
+    const NounPhrase& before = chunks[c].noun;
+    if (is_thing(chunks[c]) && (before.count > 1 || before.plural) && !is_each(c + 1)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 void settle_bunks(const Lexicon& lexicon, Document& document) {
@@ -230,6 +248,14 @@ void settle_bunks(const Lexicon& lexicon, Document& document) {
 
 void settle_for_each(const Lexicon& lexicon, Document& document) {
   std::vector<Chunk>& chunks = document.chunks;
+  for (std::size_t k = 0; k + 1 < chunks.size() && !is_set(document.stop); ++k) {
+    const int people = is_each_ones(chunks, k) ? people_before(lexicon, chunks, k) : 0;
+    if (people < 2) continue;
+    chunks[k].noun.count = people * std::max(chunks[k].noun.count, 1);
+    chunks[k].noun.plural = true;
+    chunks[k].noun.determiner = Determiner::kNone;
+    chunks[k + 1].kind = ChunkKind::kIgnored;
+  }
   for (std::size_t k = 1; k + 1 < chunks.size() && !is_set(document.stop); ++k) {
     const NounPhrase& whom = chunks[k + 1].noun;
     const bool person = whom.kind == NounKind::kMember || (lexicon.is_person(whom.head) && is_thing(chunks[k - 1]));

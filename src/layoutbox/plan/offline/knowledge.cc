@@ -48,6 +48,10 @@ bool is_table(const Catalog& /*catalog*/, const NounPhrase& noun) {
   return noun.entry->is(Trait::kTable) || one_of(noun.head, WordSet::kTables);
 }
 
+bool one_sits_at(const Catalog& catalog, const NounPhrase& noun) {
+  return is_table(catalog, noun) || (noun.entry != nullptr && noun.entry->is(Trait::kDeskLike));
+}
+
 bool is_seat(const Catalog& /*catalog*/, const NounPhrase& noun) {
   if (noun.entry != nullptr && noun.entry->is(Trait::kSeat)) return true;
   if (noun.entry != nullptr && noun.entry->is(Trait::kTable)) return false;  // a bench to work at

@@ -32,12 +32,13 @@ int suits(const Catalog& catalog, const PhraseSense& sense, const NounPhrase& ta
 // The usual mount of a thing; floor where nothing is known.
 Mount mount_of(const NounPhrase& noun);
 
-bool is_table(const Catalog& catalog, const NounPhrase& noun);  // one sits at it
-bool is_full_height(const NounPhrase& noun);                    // said to be as high as the room
-bool is_tall(const NounPhrase& noun);                           // said to be tall, high, floor-to-ceiling: stands, and is no board
-bool is_common(const NounPhrase& noun);                         // "a shared printer": one for all
-bool is_seat(const Catalog& catalog, const NounPhrase& noun);   // for one person
-bool is_for_several(const NounPhrase& noun);                    // a bench
+bool is_table(const Catalog& catalog, const NounPhrase& noun);     // one sits at it
+bool one_sits_at(const Catalog& catalog, const NounPhrase& noun);  // a table, or what one plays or works at (a piano)
+bool is_full_height(const NounPhrase& noun);                       // said to be as high as the room
+bool is_tall(const NounPhrase& noun);                              // said to be tall, high, floor-to-ceiling: stands, and is no board
+bool is_common(const NounPhrase& noun);                            // "a shared printer": one for all
+bool is_seat(const Catalog& catalog, const NounPhrase& noun);      // for one person
+bool is_for_several(const NounPhrase& noun);                       // a bench
 bool is_lamp(const Catalog& catalog, const NounPhrase& noun);
 bool is_storage(const NounPhrase& noun);                                                  // things are in it
 bool is_textile(const Catalog& catalog, const NounPhrase& noun);                          // pillows, blankets: lie on beds and seats

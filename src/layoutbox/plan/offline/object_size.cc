@@ -78,16 +78,20 @@ void apply_heap_size(const NounPhrase& noun, SceneObject& object) {
 // "a bench for four": as wide as they sit. "A table for ten": as large as such a table, whoever sits on which side.
 void apply_seats(const Catalog& catalog, const NounPhrase& noun, SceneObject& object) {
   constexpr Mm kPlace = 480;
-  constexpr int kMost = 8, kLarge = 5;
+  constexpr int kMost = 8, kSeveral = 3;
   if (noun.entry == nullptr || noun.plural || noun.seats == 0) return;
   SizeRange range = noun.entry->size;
   if (is_for_several(noun) && noun.seats <= kMost && noun.seats * kPlace > range.usual.width) {
     range.least.width = range.usual.width = noun.seats * kPlace;
-  } else if (const Seating* seating = Groups::builtin().seating_at(catalog, *noun.entry, ""); seating != nullptr && noun.seats >= kLarge) {
+  } else if (const Seating* seating = Groups::builtin().seating_at(catalog, *noun.entry, "");
+             seating != nullptr && noun.seats >= kSeveral) {
     const auto wanted = size_for_seats(*seating, is_round(object, *noun.entry), noun.seats);
-    if (!wanted || wanted->width <= range.usual.width) return;
-    range.usual.width = wanted->width;
-    if (wanted->depth > 0) range.usual.depth = wanted->depth;
+    if (!wanted) return;
+    range.usual.width = std::max(range.usual.width, wanted->width);
+    range.usual.depth = std::max(range.usual.depth, wanted->depth);
+    const auto tight = [](Mm side) { return side * 9 / 10; };  // they still sit there
+    range.least.width = std::max(range.least.width, tight(wanted->width));
+    range.least.depth = std::max(range.least.depth, std::min(tight(wanted->depth), range.usual.depth));
   } else {
     return;
   }

@@ -165,12 +165,13 @@ class RoomPeople {
     for (const int host : hosts) all += static_cast<int>(mention(host).items.size());
     for (Link& link : document_.links) {
       const auto is_last = [&](int reference) { return mention(reference).items == last; };
-      if (link.kind != Link::Kind::kHave || std::ranges::none_of(link.references, is_last)) continue;
+      const bool has = link.kind == Link::Kind::kHave;  // else "desks, a chair at each"
+      if ((!has && link.kind != Link::Kind::kRelation) || std::ranges::none_of(link.references, is_last)) continue;
       for (const int m : link.targets) {
         const NounPhrase& noun = mention(m).noun;
         const bool carried = noun.kind == NounKind::kObject && mount_of(noun) == Mount::kSurface && noun.plural && noun.count == 0;
         const bool each = !noun.plural && before.size() > 1 && mention(m).items.size() == before.size();
-        if (!carried && !each) continue;
+        if (!(has && carried) && !each) continue;
         builder_.grow(m, all);
         if (hosts.size() > 1) link.references = hosts;
       }

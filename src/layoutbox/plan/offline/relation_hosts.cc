@@ -17,7 +17,7 @@ void RelationBuilder::place_host_of(const Link& have) {
   const Mention &host = mention(have.references.front()), &first = mention(have.targets.front());
   if (host.items.size() != 1 || first.items.empty()) return;
   const NounPhrase &noun = noun_of_item(host.items.front()), &other = noun_of_item(first.items.front());
-  const bool seats = is_table(catalog_, noun) && is_seat(catalog_, other);
+  const bool seats = one_sits_at(catalog_, noun) && is_seat(catalog_, other);
   // "a table with four chairs in the middle, a mug and a bowl on it": the place follows the chairs.
   const int last = seats ? have.targets.front() : have.targets.back();
   const bool list = !seats && have.targets.size() > 1;

@@ -161,6 +161,18 @@ void set_kind(const Document& document, SceneGraph& scene) {
   }
 }
 
+// "6 by 4 m, two windows on the long right wall": what is said of the length of a wall says which side is which.
+bool turns_by_walls(const Document& document, Mm width, Mm depth) {
+  return std::ranges::any_of(document.mentions, [&](const Mention& mention) {
+    const NounPhrase& wall = mention.noun;
+    if (wall.kind != NounKind::kWall || wall.wall_word.empty()) return false;
+    const std::string length = length_word(wall);
+    const bool side = wall.wall_word == "left" || wall.wall_word == "right", end = wall.wall_word == "back" || wall.wall_word == "front";
+    if (length.empty() || (!side && !end)) return false;
+    return side == (length == "long") ? width > depth : width < depth;
+  });
+}
+
 void set_size(const Document& document, RoomSize size, SceneGraph& scene) {
   Room& room = scene.room;
   // "circular, about 6 metres across": one side says the other
@@ -171,6 +183,7 @@ void set_size(const Document& document, RoomSize size, SceneGraph& scene) {
     // "long and narrow, 4.5 x 2.2 m": one comes in at a narrow end, and its long sides are the left and the right one.
     const bool by_sides = std::ranges::any_of(document.tokens, [](const Token& t) { return t.text == "left" || t.text == "right"; });
     if (room.shape == "long" && !document.niche && by_sides && w > d) std::swap(w, d);
+    if (!document.niche && turns_by_walls(document, w, d)) std::swap(w, d);
     room.polygon = document.niche ? outline_with_niche(w, d, *document.niche) : room_outline(room.shape, w, d);
   } else if (size.area > 0) {
     room.area_m2 = size.area;

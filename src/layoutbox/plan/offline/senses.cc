@@ -1,6 +1,7 @@
 // Which relation a phrase means between these two, and how well it suits them.
 #include <algorithm>
 
+#include "layoutbox/catalog/kin.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/word_sets.h"
@@ -209,7 +210,11 @@ class SenseChooser {
     if (hung && says(R::kAgainstWall)) return own(mount == Mount::kFloor || mount == Mount::kSurface ? R::kAgainstWall : R::kOnWall);
     const bool hooks = one_of(target_.head, {"shelf", "hook"}) || (target_.head == "rack" && !is_heavy(catalog_, target_));
     if (hung && says(R::kOn) && hooks) return own(R::kOnWall);
-    if (says(R::kInFrontOf) || (hung && says(R::kOn) && is_heavy(catalog_, target_))) return own(R::kAgainstWall);
+    // "three crates on the left wall": what stands on the floor is on that side, unless such things hang
+    const bool stands = mount == Mount::kFloor && !reference_.wall_word.empty() &&
+                        kind_at(catalog_, target_.category, layoutbox::Place::kOnWall) == nullptr &&
+                        !one_of(target_.head, WordSet::kMayHang);
+    if (says(R::kInFrontOf) || (hung && says(R::kOn) && (stands || is_heavy(catalog_, target_)))) return own(R::kAgainstWall);
     return std::nullopt;
   }
 

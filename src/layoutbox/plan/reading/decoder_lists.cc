@@ -86,7 +86,7 @@ bool Decoder::goes_on_with_clause(const State& state, int u) const {
   if (state.frontier.size() < 2 || state.verb || !is_thing(state, host) || open_list(state) < 2) return false;
   const NounPhrase &noun = chunk(u).noun, &former = noun_of(state, content), &owner = noun_of(state, host);
   if (noun.kind != NounKind::kObject || mount_of(owner) != Mount::kFloor || is_seat(lexicon_.catalog(), noun)) return false;
-  const bool seats = is_table(lexicon_.catalog(), owner) && is_seat(lexicon_.catalog(), former);
+  const bool seats = one_sits_at(lexicon_.catalog(), owner) && is_seat(lexicon_.catalog(), former);
   if (unit(u).joiner == Joiner::kComma) return seats;
   if (unit(u).joiner != Joiner::kAnd) return false;
   for (int v = u + 1; v < static_cast<int>(sentence_.size()) && !unit(v).clause; ++v) {
@@ -169,7 +169,7 @@ bool Decoder::lies_on_placed(int u, const NounPhrase& host) const {
 double Decoder::closing_score(const State& state, int u, Referent owner, const NounPhrase& host) const {
   if (goes_on_with_clause(state, u)) return weight::kClosesList;
   const bool of_each = owner >= 0 && chunk(owner).noun.determiner == Determiner::kEach;
-  const bool seat = is_table(lexicon_.catalog(), host) && is_seat(lexicon_.catalog(), chunk(u).noun);
+  const bool seat = one_sits_at(lexicon_.catalog(), host) && is_seat(lexicon_.catalog(), chunk(u).noun);
   return !of_each && !seat && never_closes(state, u) ? weight::kNeverCloses : 0;
 }
 
@@ -277,7 +277,7 @@ double Decoder::list_kind_score(const State& state, int member, int u, std::size
              before = sense_.carries(host, former);
   if (carried && (before || mount_of(noun) == Mount::kSurface))
     return mount_of(noun) == Mount::kFloor && mount_of(former) != Mount::kFloor ? 0.2 : weight::kCarriedToo;
-  if (is_table(lexicon_.catalog(), host) && is_seat(lexicon_.catalog(), noun)) {
+  if (one_sits_at(lexicon_.catalog(), host) && is_seat(lexicon_.catalog(), noun)) {
     if (one_of(noun.head, WordSet::kHeavySeats)) return weight::kNotCarried;
     return (joiner == Joiner::kAnd || (joiner == Joiner::kCommaAnd && length > 1)) && !has_own_place(u) ? 0.6 : -0.6;
   }

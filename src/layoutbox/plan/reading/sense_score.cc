@@ -17,7 +17,7 @@ double SenseScore::of_place(const PhraseSenses& senses, const NounPhrase& target
     score += stands_beside(sense->type) && mount_of(reference) != Mount::kCeiling ? weight::kNotBeside : weight::kNoReference;
   if (sense->type == RelationType::kOn) score += on_top(target, reference);
   if (reference.entry != nullptr && reference.entry->is(Trait::kPet)) score += weight::kByAnimal;
-  if (stands_beside(sense->type) && is_seat(catalog_, target) && is_table(catalog_, reference)) score += weight::kSeatByTable;
+  if (stands_beside(sense->type) && is_seat(catalog_, target) && one_sits_at(catalog_, reference)) score += weight::kSeatByTable;
   if (sense->type == RelationType::kOpposite) score += opposite(target, reference);
   if (sense->type == RelationType::kFacing && suited < 2) score += weight::kNoFront;
   if (sense->type == RelationType::kAlongSide && reference.kind == NounKind::kObject && !is_table(catalog_, reference))
@@ -140,7 +140,7 @@ double SenseScore::of_having(const NounPhrase& host, const NounPhrase& thing, bo
   if (may_carry(catalog_, host, thing) && on_soft(host, thing)) return weight::kSoftHost;  // "armchairs …, and ferns by the window"
   if (may_carry(catalog_, host, thing) && small_host(host)) return weight::kUsual + weight::kSmallHost;
   if (may_carry(catalog_, host, thing)) return host.entry != nullptr && host.entry->thin ? -0.5 : weight::kUsual;
-  if (is_table(catalog_, host) && is_seat(catalog_, thing)) return weight::kUsual;
+  if (one_sits_at(catalog_, host) && is_seat(catalog_, thing)) return weight::kUsual;
   if (holds) return is_heavy(catalog_, thing) ? weight::kUnlikely : -1;
   if (mount_of(host) == Mount::kSurface && mount_of(thing) == Mount::kFloor) return weight::kUnlikely;
   return 0;

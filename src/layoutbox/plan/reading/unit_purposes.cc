@@ -401,8 +401,8 @@ void UnitReader::seat_so_many(NounPhrase& tables, int people) const {
   constexpr int kAtATable = 4, kAtALargeOne = 6;
   tables.seats = people;
   if (tables.count > 0 || !tables.plural || tables.determiner == Determiner::kDefinite) return;
-  const bool desks = tables.entry != nullptr && tables.entry->is(Trait::kDesk);
-  if (!desks && people <= kAtALargeOne) {  // "tables for two": for two each, as many as the room's guests need
+  const bool desks = tables.entry != nullptr && tables.entry->is(Trait::kDesk) && !(people == 2 && document_.people > 2);
+  if (!desks && people <= kAtALargeOne) {  // "tables for two", for 24 pupils "desks for two": as many as the room's people need
     const auto are_tables = [&](const Chunk& c) {
       return c.kind == ChunkKind::kNoun && c.noun.kind == NounKind::kObject && c.noun.plural && is_table(lexicon_.catalog(), c.noun);
     };
