@@ -192,4 +192,21 @@ bool UnitReader::centers_in_room(std::size_t k) {
   return true;
 }
 
+// "king bed north wall", "- desk: left wall": against it.
+void UnitReader::place_at_named_wall(std::size_t k) {
+  const NounPhrase& noun = chunk(k).noun;
+  const std::size_t after = next(k);
+  const bool ends = after >= document_.chunks.size() || is(after, ChunkKind::kStop) || is(after, ChunkKind::kComma) ||
+                    (is(after, ChunkKind::kRelation) && is(previous(k), ChunkKind::kComma) &&
+                     document_.tokens[chunk(previous(k)).first].text == ":");  // "Plant: corner by window"
+  const bool listed = ends && joiner_ == Joiner::kComma && noun.determiner == Determiner::kNone && is(previous(k), ChunkKind::kComma);
+  const std::size_t before = listed ? previous(previous(k)) : previous(k);
+  const bool center = noun.kind == NounKind::kCenter;
+  const bool corner = listed && (center || noun.kind == NounKind::kCorner) && !noun.is_plural();  // "lamp - corner", "table (middle)"
+  if ((noun.kind == NounKind::kWall || noun.kind == NounKind::kCorner || center) && (!noun.wall_word.empty() || corner) &&
+      (joiner_ == Joiner::kNone || listed) && is(before, ChunkKind::kNoun) && chunk(before).noun.kind == NounKind::kObject &&
+      !units_.empty() && units_.back().chunk == before)
+    add_place(k, direct_senses<RelationType::kAgainstWall, RelationType::kCenterOfRoom>());
+}
+
 }  // namespace layoutbox::offline
