@@ -9,12 +9,13 @@
 
 namespace layoutbox {
 
-template <typename Tag>
+// `Number` is wide enough for as many as there may be.
+template <typename Tag, typename Number = int>
 class Id {
  public:
   constexpr Id() = default;  // of nothing
-  constexpr explicit Id(int number) : number_(number) {}
-  constexpr explicit Id(std::size_t index) : number_(static_cast<int>(index)) {}
+  constexpr explicit Id(int number) : number_(static_cast<Number>(number)) {}
+  constexpr explicit Id(std::size_t index) : number_(static_cast<Number>(index)) {}
 
   constexpr bool exists() const { return number_ >= 0; }
   constexpr int number() const { return number_; }  // −1: of nothing
@@ -24,7 +25,7 @@ class Id {
   friend constexpr auto operator<=>(const Id&, const Id&) = default;
 
  private:
-  int number_ = -1;
+  Number number_ = -1;
 };
 
 // Counts up through ids.
@@ -46,13 +47,20 @@ class IdRange {
     int number_ = 0;
   };
 
-  constexpr explicit IdRange(std::size_t count) : count_(static_cast<int>(count)) {}
-  constexpr Iterator begin() const { return Iterator(0); }
-  constexpr Iterator end() const { return Iterator(count_); }
+  constexpr explicit IdRange(std::size_t count) : end_(static_cast<int>(count)) {}
+  constexpr IdRange(std::size_t first, std::size_t end) : begin_(static_cast<int>(first)), end_(static_cast<int>(end)) {}
+  constexpr Iterator begin() const { return Iterator(begin_); }
+  constexpr Iterator end() const { return Iterator(end_); }
 
  private:
-  int count_;
+  int begin_ = 0, end_ = 0;
 };
+
+// The ids before that one. REQUIRES: it exists.
+template <typename Key>
+constexpr IdRange<Key> ids_before(Key end) {
+  return IdRange<Key>(end.index());
+}
 
 // A list that is asked by such ids, and by nothing else.
 template <typename Key, typename T>
@@ -68,11 +76,14 @@ class ById {
   bool empty() const { return list_.empty(); }
   bool has(Key id) const { return id.exists() && id.index() < list_.size(); }
   IdRange<Key> ids() const { return IdRange<Key>(list_.size()); }
+  IdRange<Key> ids_after(Key id) const { return IdRange<Key>(id.index() + 1, list_.size()); }
   auto begin() { return list_.begin(); }
   auto end() { return list_.end(); }
   auto begin() const { return list_.begin(); }
   auto end() const { return list_.end(); }
   T& back() { return list_.back(); }
+  void reserve(std::size_t count) { list_.reserve(count); }
+  void resize(std::size_t count) { list_.resize(count); }
   std::span<const T> list() const { return list_; }
   // The one after it, after the last the first. REQUIRES: has(id).
   Key next(Key id) const { return Key((id.index() + 1) % list_.size()); }
@@ -87,6 +98,8 @@ class ById {
   }
   // Of one of the list's own elements.
   Key id_of(const T& element) const { return Key(static_cast<std::size_t>(&element - list_.data())); }
+
+  friend bool operator==(const ById&, const ById&) = default;
 
  private:
   std::vector<T> list_;

@@ -5,6 +5,7 @@
 #include <concepts>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 namespace layoutbox {
 namespace {
@@ -41,6 +42,23 @@ TEST(Ids, ListsAreAskedByThem) {
   int count = 0;
   for (const Apple id : apples.ids()) EXPECT_EQ(id.number(), count++);
   EXPECT_EQ(count, 2);
+}
+
+TEST(Ids, ListsGoOnAfterOneAndUpToOne) {
+  const ById<Apple, int> apples(4, 0);
+  std::vector<int> before, after;
+  for (const Apple id : ids_before(Apple(2))) before.push_back(id.number());
+  for (const Apple id : apples.ids_after(Apple(2))) after.push_back(id.number());
+  EXPECT_EQ(before, (std::vector{0, 1}));
+  EXPECT_EQ(after, std::vector{3});
+  EXPECT_EQ(apples.ids_after(Apple(3)).begin(), apples.ids().end());
+}
+
+TEST(Ids, AreAsSmallAsTheyAreToldToBe) {
+  using Plum = Id<struct PlumTag, std::int16_t>;
+  static_assert(sizeof(Plum) == sizeof(std::int16_t));
+  EXPECT_FALSE(Plum().exists());
+  EXPECT_EQ(Plum(500).number(), 500);
 }
 
 }  // namespace

@@ -13,9 +13,10 @@ namespace {
 // The least cost of all layouts of things that stand on the floor, at places `step` apart and at the walls.
 class Enumeration {
  public:
-  Enumeration(const PlacementModel& model, Mm step) : model_(model), step_(step), placements_(model.items.size()) {
-    for (std::size_t i = 0; i < model.items.size(); ++i) try_item_alone(static_cast<int>(i));
-    descend(0);
+  Enumeration(const PlacementModel& model, Mm step)
+      : model_(model), step_(step), placements_(model.items.size()), possible_(model.items.size()) {
+    for (const ItemId i : model.items.ids()) try_item_alone(i);
+    descend(ItemId(0));
   }
   std::int64_t least() const { return least_; }
 
@@ -27,7 +28,7 @@ class Enumeration {
     return all;
   }
 
-  bool holds(int item) const {
+  bool holds(ItemId item) const {
     for (const ConstraintId c : model_.touching[item]) {
       const Constraint& constraint = model_.constraints[c];
       if (constraint.firmness == Firmness::kSoft) continue;
@@ -39,8 +40,8 @@ class Enumeration {
   }
 
   // The places in which the item could be as far as it alone is concerned.
-  void try_item_alone(int item) {
-    std::vector<Placement>& found = possible_.emplace_back();
+  void try_item_alone(ItemId item) {
+    std::vector<Placement>& found = possible_[item];
     for (std::size_t s = 0; s < model_.items[item].states.size(); ++s) {
       const Vec3& e = model_.items[item].states[s].extent;
       for (const Mm x : places(0, model_.room.hi[0] - e[0])) {
@@ -54,20 +55,19 @@ class Enumeration {
     placements_[item] = {};
   }
 
-  void descend(std::size_t item) {
-    if (item == model_.items.size()) {
+  void descend(ItemId item) {
+    if (!model_.items.has(item)) {
       std::int64_t cost = 0;  // ways are costly to measure: last, where all else is better
       for (const Constraint& constraint : model_.constraints) cost += constraint_cost(model_, constraint, placements_);
-      for (std::size_t i = 0; i < item; ++i) cost += access_cost_of(model_, static_cast<int>(i), placements_);
+      for (const ItemId i : model_.items.ids()) cost += access_cost_of(model_, i, placements_);
       if (cost < least_) least_ = std::min(least_, cost + ways_cost(model_, placements_));
       return;
     }
     for (const Placement& p : possible_[item]) {
       placements_[item] = p;
-      bool free = holds(static_cast<int>(item));
-      for (std::size_t j = 0; j < item && free; ++j)
-        free = !collide(model_, static_cast<int>(item), p, static_cast<int>(j), placements_[j], true);
-      if (free) descend(item + 1);
+      bool free = holds(item);
+      for (const ItemId j : ids_before(item)) free = free && !collide(model_, item, p, j, placements_[j], true);
+      if (free) descend(ItemId(item.index() + 1));
     }
     placements_[item] = {};
   }
@@ -75,7 +75,7 @@ class Enumeration {
   const PlacementModel& model_;
   Mm step_;
   Placements placements_;
-  std::vector<std::vector<Placement>> possible_;
+  ById<ItemId, std::vector<Placement>> possible_;
   std::int64_t least_ = std::numeric_limits<std::int64_t>::max();
 };
 

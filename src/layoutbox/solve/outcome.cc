@@ -17,10 +17,10 @@ std::optional<Relaxation> Solver::relaxation_of(const std::string& name, const s
   Relaxation out{constraint.name, 0, "m", why};
   bool placed = all_placed(constraint, placements_);
   std::int64_t miss = placed ? miss_of(model_, constraint, placements_) : 0;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+  for (const ItemId i : model_.items.ids()) {
     if (model_.items[i].clearance_constraint != index) continue;
     placed = placements_[i].state >= 0;
-    if (placed) miss = intrusion_of(model_, static_cast<int>(i), placements_);
+    if (placed) miss = intrusion_of(model_, i, placements_);
   }
   if (placed && miss == 0) return std::nullopt;
   if (!placed || miss > 100'000'000) return Relaxation{constraint.name, 0, "", why};  // it can never hold, or its object is left out

@@ -94,17 +94,17 @@ class Solver {
   bool search_without_assumptions();
   bool is_missed(ConstraintId constraint) const;
   Status yield_assumptions(bool found);
-  std::vector<int> extras_in_the_way();
-  bool is_asked(int item) const;
-  bool floor_gives_way(const Clash& clash, const std::vector<int>& objects);
+  std::vector<ItemId> extras_in_the_way();
+  bool is_asked(ItemId item) const;
+  bool floor_gives_way(const Clash& clash, const std::vector<ItemId>& objects);
 
   // ---- what came unasked for with another thing (companions.cc)
-  bool is_companion(int item) const;
-  std::vector<int> companions() const;
+  bool is_companion(ItemId item) const;
+  std::vector<ItemId> companions() const;
   std::vector<std::string> companions_placed_by(const Constraint& constraint) const;
   Status leave_out_companions(std::vector<std::string> ids);
   Result<bool> companions_make_way();
-  Result<bool> companions_make_way_for(const std::vector<int>& items);
+  Result<bool> companions_make_way_for(const std::vector<ItemId>& items);
   bool companions_are_in_the_way();
   void leave_out_the_lonely();
 
@@ -142,17 +142,17 @@ class Solver {
   void take_back();
 
   // ---- too much in too little room (leave_out.cc)
-  Status leave_out_least(std::vector<int> items, const Clash* clash = nullptr);
+  Status leave_out_least(std::vector<ItemId> items, const Clash* clash = nullptr);
   std::size_t unplaced_without(const std::vector<std::string>& ids);
   bool each_is_needed(const Clash& clash);
   Result<Clash> smallest_crowd(Clash clash);
-  Status leave_out(int item, const std::string& why);
-  void note_lost_by(int item);
-  void note_left_out(int item, const std::string& why);
+  Status leave_out(ItemId item, const std::string& why);
+  void note_lost_by(ItemId item);
+  void note_left_out(ItemId item, const std::string& why);
   // ---- far too much (shed.cc)
-  std::vector<int> surplus_items() const;
+  std::vector<ItemId> surplus_items() const;
   Result<bool> shed(const std::vector<Clash>& sums);
-  std::optional<std::string> too_little_floor(const std::vector<int>& without) const;
+  std::optional<std::string> too_little_floor(const std::vector<ItemId>& without) const;
   Status note_crowd(const std::vector<Clash>& sums);
   void sum_up_shedding();
   Status rebuild();
@@ -188,7 +188,7 @@ class Solver {
   std::set<std::string> looked_at_alone_;            // relations
   Placements placements_;
   Placements brought_;  // with what was left out and came back
-  std::vector<int> failed_;
+  std::vector<ItemId> failed_;
   int size_limit_ = 0;
   double proof_time_ = 0;  // left of what CP-SAT may take
   double more_proof_ = 0;  // left of what is added to that for further conflicts

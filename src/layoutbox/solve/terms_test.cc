@@ -44,7 +44,7 @@ class RandomRoom {
   const PlacementModel& model() const { return model_; }
 
   // Legal or not: costs are asked of any arrangement.
-  Placement anywhere(std::size_t item) {
+  Placement anywhere(ItemId item) {
     const Item& self = model_.items[item];
     Placement p{static_cast<int>(below(self.states.size())), {}};
     for (int k = 0; k < 3; ++k) {
@@ -55,18 +55,18 @@ class RandomRoom {
   }
   Placements all_anywhere() {
     Placements placements;
-    for (std::size_t i = 0; i < model_.items.size(); ++i) placements.push_back(anywhere(i));
+    for (const ItemId i : model_.items.ids()) placements.push_back(anywhere(i));
     return placements;
   }
   // After a few of them have moved.
-  std::pair<Placements, std::vector<int>> some_moved(const Placements& before) {
+  std::pair<Placements, std::vector<ItemId>> some_moved(const Placements& before) {
     Placements after = before;
-    std::vector<int> moved;
+    std::vector<ItemId> moved;
     for (std::size_t n = 1 + below(3); n > 0; --n) {
-      const std::size_t item = below(after.size());
-      if (std::ranges::find(moved, static_cast<int>(item)) != moved.end()) continue;
+      const ItemId item(below(after.size()));
+      if (std::ranges::find(moved, item) != moved.end()) continue;
       after[item] = anywhere(item);
-      moved.push_back(static_cast<int>(item));
+      moved.push_back(item);
     }
     return {after, moved};
   }
@@ -123,12 +123,12 @@ TEST(Terms, WhatIsScoredIsTheWholeButForStaying) {
 }
 
 // The shares that speak of an item: what all cost with it less what they cost without.
-std::int64_t cost_of_placing(const PlacementModel& model, Placements placements, int item) {
+std::int64_t cost_of_placing(const PlacementModel& model, Placements placements, ItemId item) {
   std::int64_t cost = 0;
   for (const CostTerm& term : cost_terms()) {
     if (!term.late) cost += evaluate(term, model, placements);
   }
-  placements[static_cast<std::size_t>(item)] = {};
+  placements[item] = {};
   for (const CostTerm& term : cost_terms()) {
     if (!term.late) cost -= evaluate(term, model, placements);
   }
@@ -136,7 +136,7 @@ std::int64_t cost_of_placing(const PlacementModel& model, Placements placements,
 }
 
 // The cheapest place of one item while all else stays; nothing where there is none.
-std::optional<Candidate> cheapest(const PlacementModel& model, const Placements& others, int item, bool skips) {
+std::optional<Candidate> cheapest(const PlacementModel& model, const Placements& others, ItemId item, bool skips) {
   CandidateFinder finder(model, {});
   if (skips) finder.skip_dear_regions();
   Budget budget{0, kSteps, {}, false};
@@ -151,16 +151,15 @@ TEST(Terms, CandidatesCostWhatTheTermsSay) {
     Search search(room.model(), {}, seed, 0);
     Budget budget{0, kSteps, {}, false};
     if (!search.construct(2, budget)) continue;
-    for (std::size_t i = 0; i < room.model().items.size(); ++i) {
-      const int item = static_cast<int>(i);
+    for (const ItemId item : room.model().items.ids()) {
       Placements placements = search.placements();
-      placements[i] = {};
+      placements[item] = {};
       const std::optional<Candidate> best = cheapest(room.model(), placements, item, false);
       const std::optional<Candidate> by_bounds = cheapest(room.model(), placements, item, true);
       ASSERT_TRUE(best && by_bounds) << "it stood somewhere";
       EXPECT_EQ(best->cost, by_bounds->cost) << "a bound was no bound";
-      placements[i] = best->placement;
-      EXPECT_EQ(best->cost, cost_of_placing(room.model(), placements, item)) << "seed " << seed << ": " << i;
+      placements[item] = best->placement;
+      EXPECT_EQ(best->cost, cost_of_placing(room.model(), placements, item)) << "seed " << seed << ": " << item.number();
       ++checked;
     }
   }

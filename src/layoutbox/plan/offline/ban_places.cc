@@ -2,10 +2,12 @@
 
 #include <algorithm>
 
+#include "layoutbox/plan/offline/noun_phrase_parts.h"
+
 namespace layoutbox::offline {
 
 std::optional<PlaceSaid> BanPlaces::place_at(std::size_t i) const {
-  while (is(i, {"the", "a", "any", "all", "my", "of", "our"})) ++i;
+  while (is(i, WordSet::kPlaceArticles)) ++i;
   if (lexicon_.find(tokens_, i, WordClass::kWindow).length > 0 || is(i, {"windows"})) return opening("window", i);
   if (lexicon_.find(tokens_, i, WordClass::kDoor).length > 0 || is(i, {"doors"})) return opening("door", i);
   if (is(i, {"center", "middle"})) return middle(i);
@@ -49,7 +51,7 @@ std::optional<PlaceSaid> BanPlaces::opening(std::string_view type, std::size_t i
 }
 
 std::vector<Side> BanPlaces::sides_at(std::size_t& i) const {
-  while (is(i, {"the", "its", "his", "her", "my", "a", "of"})) ++i;
+  while (is(i, WordSet::kSideArticles)) ++i;
   std::vector<Side> sides;
   if (is(i, {"left"})) sides = {Side::kLeft};
   if (is(i, {"right"})) sides = {Side::kRight};

@@ -4,15 +4,16 @@
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/bans.h"
 #include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/relation_writer.h"
 
 namespace layoutbox::offline {
 namespace {
 
 using R = RelationType;
 
-class BanBuilder {
+class BanBuilder : public RelationWriter {
  public:
-  BanBuilder(const Document& document, SceneGraph& scene) : document_(document), scene_(scene) {}
+  using RelationWriter::RelationWriter;
 
   void add(const Ban& ban) {
     switch (ban.kind) {
@@ -26,11 +27,7 @@ class BanBuilder {
 
  private:
   Relation& add_relation(const Ban& ban, R type, const std::string& target, std::vector<std::string> references, bool hard) {
-    Relation& relation = scene_.relations.emplace_back();
-    relation.id = "c" + std::to_string(scene_.relations.size());
-    relation.type = type;
-    relation.targets = {target};
-    relation.references = std::move(references);
+    Relation& relation = write(type, {target}, std::move(references));
     relation.hard = hard;
     relation.why = ban.words;
     return relation;
@@ -119,15 +116,12 @@ class BanBuilder {
       }
     }
   }
-
-  const Document& document_;
-  SceneGraph& scene_;
 };
 
 }  // namespace
 
-void add_bans(const Document& document, const std::vector<Ban>& bans, SceneGraph& scene) {
-  BanBuilder builder(document, scene);
+void add_bans(const Lexicon& lexicon, Document& document, const std::vector<Ban>& bans, SceneGraph& scene) {
+  BanBuilder builder(lexicon, document, scene);
   for (const Ban& ban : bans) builder.add(ban);
 }
 

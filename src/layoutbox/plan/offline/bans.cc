@@ -36,11 +36,11 @@ class BanReader : public BanPlaces {
     kept_ = 0;
   }
 
-  bool is_over(std::size_t i) const { return ends(i) || is(i, {"and", "but", "so", "please", "because", "as", "for", "to"}); }
+  bool is_over(std::size_t i) const { return ends(i) || is(i, WordSet::kBannedEnds); }
 
   // "Nobody (should sit) with the back to the door", "no chair with its back to the window", "I hate to have my back to the door".
   bool read_back_to(std::size_t i) {
-    if (!is(i, {"nobody", "no", "not", "none", "never", "without", "hate", "hates", "dislike", "don't", "cannot", "noone"})) return false;
+    if (!is(i, WordSet::kRefusing)) return false;
     constexpr std::size_t kReach = 10;
     std::size_t at = i + 1;
     while (at < std::min(tokens_.size(), i + kReach) && !ends(at) && !is(at, {"back", "backs"})) ++at;
@@ -53,15 +53,14 @@ class BanReader : public BanPlaces {
     Ban ban = place->ban;
     ban.kind = Ban::Kind::kBackTo;
     std::size_t first = i;
-    while (first > 0 && is(first - 1, {"should", "must", "do", "does", "i", "we", "he", "she", "that", "so", "can", "want", "wants"}))
-      --first;
+    while (first > 0 && is(first - 1, WordSet::kBeforeRefusing)) --first;
     take(std::move(ban), first, place->last);
     return true;
   }
 
   // "…, none of them facing the door", "none at the window side": said of no one.
   bool pass_none(std::size_t i) {
-    if (!is(i, {"none"}) || i == 0 || !is(i - 1, {",", ";", "and", "but", "with", "(", "-"})) return false;
+    if (!is(i, {"none"}) || i == 0 || !is(i - 1, WordSet::kSaidAside)) return false;
     std::size_t at = i + 1;
     if (is(at, {"of"})) at += is(at + 1, {"the"}) ? 3 : 2;
     if (lexicon_.find_phrase(tokens_, at).length == 0) return false;
@@ -75,34 +74,25 @@ class BanReader : public BanPlaces {
     std::size_t at = i;
     if (is(at, {"nothing"})) {
       ++at;
-    } else if (is(at, {"no"}) && is(at + 1, {"furniture", "things", "clutter", "stuff"})) {
+    } else if (is(at, {"no"}) && is(at + 1, WordSet::kWhateverStands)) {
       at += 2;
     } else {
       return false;
     }
-    while (is(at, {"should", "must", "may", "is", "be", "to", "stand", "standing", "stands", "placed", "put", "else", "directly", "right"}))
-      ++at;
-    const auto is_place_word = [&](std::size_t w) {
-      return is(w, {"in", "front", "of", "before", "under", "below", "blocking", "block", "near", "by", "beside", "at", "against", "on",
-                    "along", "next", "covering", "obstructing"});
-    };
+    while (is(at, WordSet::kStanding)) ++at;
     const std::size_t from = at;
-    while (is_place_word(at)) ++at;
+    while (is(at, WordSet::kBeforeBannedPlaces)) ++at;
     const std::optional<PlaceSaid> place = at > from ? place_at(at) : std::nullopt;
     if (!place || !is_over(place->last)) return false;
     take(place->ban, i, place->last);
     return true;
   }
 
-  bool is_free(std::size_t i) const {
-    return is(i, {"free", "clear", "empty", "open", "bare", "unobstructed", "uncluttered", "unblocked", "vacant"});
-  }
-
   // "keep the middle free", "leave the left wall empty"
   bool read_kept(std::size_t i) {
-    if (!is(i, {"keep", "leave", "keeping", "leaving", "keeps", "leaves"})) return false;
+    if (!is(i, WordSet::kKeeping)) return false;
     const std::optional<PlaceSaid> place = place_at(i + 1);
-    if (!place || !is_free(place->last) || !is_over(place->last + 1)) return false;
+    if (!place || !is(place->last, WordSet::kFree) || !is_over(place->last + 1)) return false;
     take(place->ban, i, place->last + 1);
     return true;
   }
@@ -113,9 +103,8 @@ class BanReader : public BanPlaces {
     const std::optional<PlaceSaid> place = place_at(i + (is(i, {"with"}) ? 1 : 0));
     if (!place || is(place->last - 1, {"side"})) return false;  // "the right side clear": of a thing
     std::size_t at = place->last;
-    while (is(at, {"should", "must", "has", "to", "is", "be", "stay", "stays", "remain", "remains", "kept", "left", "completely", "quite"}))
-      ++at;
-    if (!is_free(at) || !is_over(at + 1)) return false;
+    while (is(at, WordSet::kStayingFree)) ++at;
+    if (!is(at, WordSet::kFree) || !is_over(at + 1)) return false;
     take(place->ban, i, at + 1);
     return true;
   }
@@ -142,16 +131,16 @@ class BanReader : public BanPlaces {
 
   // "the right side clear", "with both sides of the bed free", "its left side must stay free for transfers"
   bool read_side(std::size_t i) {
-    if (!is(i, {"the", "its", "both", "with", "his", "her", "all", "three", "keep", "leave", "whose"})) return false;
+    if (!is(i, WordSet::kOpeningSides)) return false;
     std::size_t at = i;
-    while (is(at, {"with", "keep", "leave", "whose"})) ++at;
+    while (is(at, WordSet::kBeforeSides)) ++at;
     Ban ban;
     ban.kind = Ban::Kind::kFreeSide;
     ban.depth = kUsualSide;
     ban.sides = sides_at(at);
     if (ban.sides.empty() || !read_of(at, ban)) return false;
-    while (is(at, {"should", "must", "has", "to", "is", "are", "be", "stay", "remain", "kept", "left", "needs", "completely"})) ++at;
-    if (!is_free(at) && !is(at, {"accessible", "reachable"})) return false;
+    while (is(at, WordSet::kStayingFree)) ++at;
+    if (!is(at, WordSet::kFree) && !is(at, {"accessible", "reachable"})) return false;
     if (!is_over(at + 1)) return false;
     take(std::move(ban), i, at + 1);
     return true;
@@ -172,7 +161,7 @@ class BanReader : public BanPlaces {
 
   // A length: "1.5 m", "a metre", "90 cm".
   std::optional<double> length_at(std::size_t& i) const {
-    while (is(i, {"at", "least", "about", "with", "have", "has"})) ++i;
+    while (is(i, WordSet::kBeforeLengths)) ++i;
     const bool one = is(i, {"a", "one"});
     const NumberRead number = read_number(lexicon_, tokens_, i);
     const std::size_t unit = i + std::max<std::size_t>(number.length, one ? 1 : 0);
@@ -192,7 +181,7 @@ class BanReader : public BanPlaces {
     ban.kind = Ban::Kind::kFreeSide;
     ban.depth = *length;
     const std::size_t said = at;
-    while (is(at, {"of", "free", "clear", "empty", "open", "space", "room", "floor", "clearance", "walking", "left"})) ++at;
+    while (is(at, WordSet::kFreeFloor)) ++at;
     const bool free = at > said;
     std::size_t side = at;
     if (is(side, {"on", "at", "along"})) ++side;
@@ -210,7 +199,7 @@ class BanReader : public BanPlaces {
     }
     if (!is_over(at) && !ends(at)) return false;
     std::size_t first = i;
-    while (first > 0 && is(first - 1, {"with", "have", "leave", "keep", "needs", "need"})) --first;
+    while (first > 0 && is(first - 1, WordSet::kBeforeFreeFloor)) --first;
     take(std::move(ban), first, at);
     return true;
   }
@@ -219,7 +208,7 @@ class BanReader : public BanPlaces {
   bool read_plain_room_round(std::size_t i) {
     if (!is(i, {"space", "room"})) return false;
     std::size_t at = i + 1;
-    while (is(at, {"to", "walk", "move", "get", "go", "pass", "free", "clear"})) ++at;
+    while (is(at, WordSet::kGoingRound)) ++at;
     if (is(at, {"all"}) && is(at + 1, {"the"}) && is(at + 2, {"way"})) at += 2;
     const bool all = is(at, {"all", "way"});
     if (all) ++at;
@@ -232,7 +221,7 @@ class BanReader : public BanPlaces {
     if (!is_over(at) && !read_object(at, ban)) return false;
     if (!is_over(at)) return false;
     std::size_t first = i;
-    while (first > 0 && is(first - 1, {"with", "enough", "plenty", "of", "free", "and", "leave", "keep", "some"})) --first;
+    while (first > 0 && is(first - 1, WordSet::kBeforeRoomRound)) --first;
     if (is(first, {"and"})) ++first;
     take(std::move(ban), first, at);
     return true;

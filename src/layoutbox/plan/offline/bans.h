@@ -27,6 +27,6 @@ struct Ban {
 std::vector<Ban> read_bans(const Lexicon& lexicon, const Document& document, std::vector<bool>& skip);
 
 // … as relations of the things that are there.
-void add_bans(const Document& document, const std::vector<Ban>& bans, SceneGraph& scene);
+void add_bans(const Lexicon& lexicon, Document& document, const std::vector<Ban>& bans, SceneGraph& scene);
 
 }  // namespace layoutbox::offline

@@ -10,15 +10,6 @@
 
 namespace layoutbox::offline {
 
-namespace {
-
-// Not "hangs", "is mounted", "hang the lamp", which are finite.
-bool is_participle_form(std::string_view word) {
-  return word.ends_with("ing") || word.ends_with("ed") || one_of(word, WordSet::kIrregular);
-}
-
-}  // namespace
-
 bool Chunker::opens_noun(const Token& token) const {
   return token.kind == Token::Kind::kNumber || lexicon_.is(token, WordClass::kDefinite) || lexicon_.is(token, WordClass::kIndefinite) ||
          lexicon_.is(token, WordClass::kPossessive) || lexicon_.is(token, WordClass::kEach) || lexicon_.is(token, WordClass::kBoth) ||
@@ -171,12 +162,6 @@ PhraseMatch Chunker::phrase_here() const {
   return shorter.length > 0 ? shorter : phrase;
 }
 
-// A new thing is named at that token.
-bool Chunker::thing_next(std::size_t at) const {
-  return at < tokens_.size() && (lexicon_.is(tokens_[at], WordClass::kIndefinite) || lexicon_.is(tokens_[at], WordClass::kNumber) ||
-                                 tokens_[at].kind == Token::Kind::kNumber || lexicon_.is(tokens_[at], WordClass::kAnother));
-}
-
 // "easy to picture", "nice to look at": what one does, after an adjective that begins no relation phrase. "A layout to copy": with it.
 bool Chunker::read_infinitive() {
   if (tokens_[i_].text != "to" || i_ == 0 || i_ + 1 >= tokens_.size() || tokens_[i_ + 1].kind != Token::Kind::kWord) return false;
@@ -189,59 +174,6 @@ bool Chunker::read_infinitive() {
   return true;
 }
 
-// A thing is named there: "at the far end of the sofa", not "of the room".
-bool Chunker::names_thing_at(std::size_t at) const {
-  if (at >= tokens_.size()) return false;
-  const auto noun = read_noun_phrase(lexicon_, tokens_, at, true);
-  return noun && (noun->kind == NounKind::kObject || (noun->kind == NounKind::kPronoun && noun->head == "it"));
-}
-
-bool Chunker::noun_follows() const {
-  const auto noun = read_noun_phrase(lexicon_, tokens_, i_, false);
-  // "a stand that bears a kettle": "that" is of one thing, and "bears" a verb.
-  const bool many_after_that = noun && noun->plural && tokens_[i_].text == "that";
-  return noun && noun->kind == NounKind::kObject && !many_after_that;
-}
-
-bool Chunker::read_noun(bool bare) {
-  // Right after a noun phrase no bare one begins: "lamps light the room", "a table holds".
-  const bool after_which = !chunks_.empty() && chunks_.back().noun.kind == NounKind::kPronoun && chunks_.back().noun.head == "which";
-  const bool after_wall = !chunks_.empty() && chunks_.back().kind == ChunkKind::kNoun && chunks_.back().noun.kind == NounKind::kWall &&
-                          !chunks_.back().noun.wall_word.empty() && lexicon_.find(tokens_, i_, WordClass::kObject).length > 0;
-  const bool after_noun = bare && previous() == ChunkKind::kNoun && !chunks_.back().noun.owner && !after_which && !after_wall;
-  if (after_noun && !lexicon_.is(tokens_[i_], WordClass::kWallWord)) return false;
-  // "for the one who watches": after "who" a verb.
-  if (bare && i_ > 0 && tokens_[i_ - 1].text == "who" && may_be_verb(tokens_[i_].text)) return false;
-  auto noun = read_noun_phrase(lexicon_, tokens_, i_, bare);
-  if (!noun || noun->last <= i_) return false;
-  if (after_noun && noun->kind != NounKind::kWall && noun->kind != NounKind::kCorner) return false;
-  if (bare && is_verb_before_article(*noun)) {
-    const bool has = one_of(tokens_[i_].text, WordSet::kHaving);
-    add(has ? ChunkKind::kHave : ChunkKind::kPurpose, 1);
-    return true;
-  }
-  if (bare && noun->kind == NounKind::kAbstract && !noun->collective && noun->last == i_ + 1 &&
-      lexicon_.find_phrase(tokens_, i_).length > 0)
-    return false;
-  Chunk& chunk = add(ChunkKind::kNoun, noun->last - i_);
-  chunk.noun = std::move(*noun);
-  if (chunk.noun.owner && i_ < tokens_.size() && tokens_[i_].text == "'s") {
-    ++i_;
-    chunk.last = i_;
-  }
-  return true;
-}
-
-// "…, throw a warm light", "and bears a watering can": one word after a break and before an article, which may be a verb.
-bool Chunker::is_verb_before_article(const NounPhrase& noun) const {
-  const ChunkKind before = previous();
-  if ((before != ChunkKind::kComma && before != ChunkKind::kAnd) || noun.last != i_ + 1 || noun.last >= tokens_.size() ||
-      noun.determiner != Determiner::kNone || noun.count > 0)
-    return false;
-  const Token& next = tokens_[noun.last];
-  return (lexicon_.is(next, WordClass::kIndefinite) || lexicon_.is(next, WordClass::kPossessive)) && may_be_verb(tokens_[i_].text);
-}
-
 void Chunker::add_phrase(const PhraseMatch& phrase) {
   const std::size_t first = i_;
   Chunk& chunk = add(ChunkKind::kRelation, phrase.length);
@@ -252,131 +184,6 @@ void Chunker::add_phrase(const PhraseMatch& phrase) {
     const bool placed = lexicon_.is(tokens_[i], WordClass::kParticiple) && tokens_[i].text != "left";  // "to the left of"
     chunk.placing |= placed || chunk.hang;
   }
-}
-
-// "which bears a jug", "it bears two jars": a verb where something is brought in; elsewhere bears are animals.
-std::size_t Chunker::bears_thing() const {
-  const bool in_place = previous() == ChunkKind::kRelation && chunks_.back().phrase.senses != nullptr &&
-                        std::ranges::any_of(*chunks_.back().phrase.senses, [](const PhraseSense& s) {
-                          return s.direction == PhraseSense::Direction::kAlone;  // "the table in the middle bears a jug"
-                        });
-  const bool subject = previous() == ChunkKind::kNoun || previous() == ChunkKind::kAnd || previous() == ChunkKind::kRelative || in_place;
-  return tokens_[i_].text == "bears" && subject && thing_next(i_ + 1) ? 1 : 0;
-}
-
-// ", picture over the clock": no "picture a room".
-bool Chunker::is_picture() const {
-  return tokens_[i_].text == "picture" && i_ + 1 < tokens_.size() && lexicon_.find_phrase(tokens_, i_ + 1).length > 0;
-}
-
-// "a drum kit, set up on a rug, …": said of the drum kit, no command.
-std::size_t Chunker::set_after_noun() const {
-  const std::size_t length = tokens_[i_].text == "set" || tokens_[i_].text == "put" ? length_of(WordClass::kCommand) : 0;
-  const bool told = previous() == ChunkKind::kComma && chunks_.size() > 1 && chunks_[chunks_.size() - 2].kind == ChunkKind::kNoun;
-  const bool placed = told && length > 0 && i_ + length < tokens_.size() && lexicon_.find_phrase(tokens_, i_ + length).length > 0;
-  return placed ? length : 0;
-}
-
-// "a rug round pink in the center": how it looks, not what it goes round.
-bool Chunker::is_shape_said_after() const {
-  if (tokens_[i_].text != "round" || previous() != ChunkKind::kNoun || i_ + 1 >= tokens_.size()) return false;
-  const Token& next = tokens_[i_ + 1];
-  return next.kind == Token::Kind::kPunctuation || lexicon_.find(tokens_, i_ + 1, WordClass::kColor).length > 0 ||
-         lexicon_.find_phrase(tokens_, i_ + 1).length > 0;
-}
-
-// The longest of the words that may begin here; of equals the first.
-Chunker::Choice Chunker::longest(const PhraseMatch& phrase, std::size_t without) const {
-  const ChunkKind before = previous();
-  const bool after_noun = before == ChunkKind::kNoun || before == ChunkKind::kRelation;
-  const std::size_t filler = length_of(WordClass::kFiller);
-  const std::array<Choice, 13> choices = {{
-      {ChunkKind::kIgnored, filler > 1 ? filler : 0},  // "six in all", "three should do"
-      {ChunkKind::kCommand, clause_begins() && !is_picture() && set_after_noun() == 0 ? length_of(WordClass::kCommand) : 0},
-      {ChunkKind::kWithout, without},
-      {ChunkKind::kSoft, length_of(WordClass::kSoft)},
-      {ChunkKind::kHave, std::max(length_of(WordClass::kHave), bears_thing())},
-      {ChunkKind::kRelation, phrase.length},
-      {ChunkKind::kVerb, be_length()},
-      {ChunkKind::kParticiple, std::max({length_of(WordClass::kParticiple), length_of(WordClass::kHang), set_after_noun()})},
-      {ChunkKind::kVerb, length_of(WordClass::kPlaceVerb)},
-      {ChunkKind::kClause, length_of(WordClass::kClause)},
-      {ChunkKind::kAnd, length_of(WordClass::kAnd)},
-      {ChunkKind::kPurpose, length_of(WordClass::kPurpose)},
-      {ChunkKind::kRelative, after_noun ? length_of(WordClass::kRelative) : 0},
-  }};
-  return *std::max_element(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) { return a.length < b.length; });
-}
-
-// A bare noun begins with such a word and is longer: "standing lamp", "hanging chair", "set of drawers", "display cabinet".
-bool Chunker::is_longer_noun(const Choice& best) const {
-  const ChunkKind before = previous();
-  const bool verb_follows_that = before == ChunkKind::kRelative &&
-                                 (best.kind == ChunkKind::kRelation || best.kind == ChunkKind::kHave || best.kind == ChunkKind::kVerb);
-  if (best.kind == ChunkKind::kAnd || best.kind == ChunkKind::kClause || before == ChunkKind::kNoun || verb_follows_that) return false;
-  const auto noun = read_noun_phrase(lexicon_, tokens_, i_, true);
-  if (!noun) return false;
-  // "on opposite walls", "against left wall"
-  const bool of_room = noun->kind == NounKind::kWall || noun->kind == NounKind::kCorner;
-  if (of_room && (best.kind == ChunkKind::kParticiple || (before == ChunkKind::kRelation && best.kind == ChunkKind::kRelation)))
-    return true;
-  // "Waiting room with eight chairs", "Meeting room for ten".
-  if (noun->kind == NounKind::kRoom && noun->room != nullptr && noun->last > i_ + best.length && clause_begins()) return true;
-  return noun->kind == NounKind::kObject && is_longer_thing(best, *noun);
-}
-
-bool Chunker::is_longer_thing(const Choice& best, const NounPhrase& noun) const {
-  // "Round table in the middle": a quality, where it stands first and a noun is right behind it.
-  if (best.kind == ChunkKind::kRelation && best.length == 1 && clause_begins() && tokens_[i_].text != "opposite" &&
-      std::find(noun.attributes.begin(), noun.attributes.end(), tokens_[i_].text) != noun.attributes.end())
-    return true;
-  if (noun.last <= i_ + best.length || noun.entry == nullptr) return false;
-  const bool verbal = best.kind == ChunkKind::kParticiple || best.kind == ChunkKind::kVerb || best.kind == ChunkKind::kCommand ||
-                      best.kind == ChunkKind::kHave;
-  const bool verb_first =
-      verbal && clause_begins() && !noun.exact && !noun.plural && noun.determiner == Determiner::kNone && noun.attributes.empty();
-  const bool preposition = best.kind == ChunkKind::kRelation && noun.name.find(tokens_[i_].text) == std::string::npos;
-  return !verb_first && !preposition && best.kind != ChunkKind::kWithout && best.kind != ChunkKind::kPurpose;
-}
-
-// "with lights around it", "has shelves on both sides": what something has, and no verb of that form.
-bool Chunker::is_thing_held(const Choice& best) const {
-  const bool verbal = best.kind == ChunkKind::kRelation || best.kind == ChunkKind::kVerb || best.kind == ChunkKind::kParticiple ||
-                      best.kind == ChunkKind::kHave;
-  if (!verbal || best.length != 1 || previous() != ChunkKind::kHave || !tokens_[i_].text.ends_with('s')) return false;
-  const auto noun = read_noun_phrase(lexicon_, tokens_, i_, true);
-  return noun && noun->kind == NounKind::kObject && noun->exact && noun->plural && noun->last == i_ + 1;
-}
-
-// "tv on a stand, stand against the wall": a thing that was named before, without its article, and not the verb.
-bool Chunker::is_known_thing(const Choice& best) const {
-  const bool verbal = best.kind == ChunkKind::kParticiple || best.kind == ChunkKind::kVerb || best.kind == ChunkKind::kCommand;
-  if (!verbal || best.length != 1 || !clause_begins() || i_ + 1 >= tokens_.size()) return false;
-  if (lexicon_.find_phrase(tokens_, i_ + 1).length == 0 || opens_noun(tokens_[i_ + 1])) return false;
-  constexpr std::size_t kBack = 100;
-  const auto first = chunks_.size() > kBack ? chunks_.end() - kBack : chunks_.begin();
-  return std::any_of(first, chunks_.end(), [&](const Chunk& chunk) {
-    return chunk.kind == ChunkKind::kNoun && chunk.noun.kind == NounKind::kObject && chunk.noun.head == tokens_[i_].text;
-  });
-}
-
-bool Chunker::read_words(const PhraseMatch& phrase, std::size_t without) {
-  const Choice best = longest(phrase, without);
-  if (best.length == 0) return false;
-  if (is_longer_noun(best) || is_known_thing(best) || is_thing_held(best)) return read_noun(true);
-  if (best.kind == ChunkKind::kRelation) {
-    add_phrase(phrase);
-    return true;
-  }
-  const bool passive = best.kind == ChunkKind::kVerb && be_length() == best.length;
-  const std::size_t first = i_;
-  Chunk& chunk = add(best.kind, best.length);
-  if (best.kind != ChunkKind::kVerb && best.kind != ChunkKind::kParticiple) return true;
-  for (std::size_t i = first; i < chunk.last; ++i) chunk.hang |= lexicon_.is(tokens_[i], WordClass::kHang);
-  chunk.placing = true;
-  chunk.passive = passive;
-  if (best.kind == ChunkKind::kParticiple && !is_participle_form(tokens_[chunk.last - 1].text)) chunk.kind = ChunkKind::kVerb;
-  return true;
 }
 
 std::size_t Chunker::be_length() const {

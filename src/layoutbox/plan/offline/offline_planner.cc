@@ -145,7 +145,7 @@ class OfflinePlanner final : public Planner {
     read_room_colors(lexicon_, document, plan.scene.room);
     build_relations(lexicon_, document, plan.scene);
     if (is_set(document.stop)) return stopped();
-    add_bans(document, bans, plan.scene);
+    add_bans(lexicon_, document, bans, plan.scene);
     name_room_by_contents(lexicon_, document, plan.scene);
     furnish_by_wish(lexicon_, document, plan.scene);
     settle_slopes(lexicon_, document, plan.scene);

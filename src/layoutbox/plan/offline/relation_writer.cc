@@ -89,12 +89,7 @@ void RelationWriter::add(const Link& link, R type, std::vector<std::string> targ
   // "four pillars along each side" of whatever are two rows through the room.
   if (type == R::kEachSideOf && are_pillars(targets)) return add_two_rows(link, std::move(targets));
   if (repeats_known(link, type, targets, references, sense)) return;
-  for (const std::string& target : targets) of_target_[target].push_back(scene_.relations.size());
-  Relation relation;
-  relation.id = "c" + std::to_string(scene_.relations.size() + 1);
-  relation.type = type;
-  relation.targets = std::move(targets);
-  relation.references = std::move(references);
+  Relation& relation = write(type, std::move(targets), std::move(references));
   relation.parameters.part = sense.part;
   relation.parameters.region = sense.region;
   relation.parameters.side = sense.side;
@@ -107,7 +102,16 @@ void RelationWriter::add(const Link& link, R type, std::vector<std::string> targ
     if (document_.readings[i].role == "relation" || document_.readings[i].role == "has")
       document_.readings[i].role = "relation " + relation.id;
   }
-  scene_.relations.push_back(std::move(relation));
+}
+
+Relation& RelationWriter::write(R type, std::vector<std::string> targets, std::vector<std::string> references) {
+  for (const std::string& target : targets) of_target_[target].push_back(scene_.relations.size());
+  Relation& relation = scene_.relations.emplace_back();
+  relation.id = "c" + std::to_string(scene_.relations.size());
+  relation.type = type;
+  relation.targets = std::move(targets);
+  relation.references = std::move(references);
+  return relation;
 }
 
 const std::vector<std::size_t>& RelationWriter::relations_of(const std::string& object) const {

@@ -32,6 +32,8 @@ class RelationWriter {
   // What says nothing is left out, and what was said before is not said again.
   void add(const Link& link, RelationType type, std::vector<std::string> targets, std::vector<std::string> references,
            const PhraseSense& sense = {});
+  // One more relation of the scene, whatever was said before. Good until the next.
+  Relation& write(RelationType type, std::vector<std::string> targets, std::vector<std::string> references);
   bool is_used_within(const SceneObject& object, const SceneObject& other) const;
 
   const Catalog& catalog_;

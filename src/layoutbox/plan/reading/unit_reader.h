@@ -1,5 +1,4 @@
-// The class behind read_units; its members stand in units, unit_nouns, unit_known, unit_parallels, unit_shares, unit_room, unit_purposes,
-// unit_wants, unit_verbs and unit_asides.
+// The class behind read_units; its members stand in units and the files unit_*.
 #pragma once
 
 #include <string>

@@ -19,14 +19,14 @@ constexpr std::array kFunctions{
 };
 
 Result<Reference> resolve(const PlacementModel& model, const std::string& id, std::string_view pointer) {
-  if (id == "room" || id == "floor" || id == "ceiling") return Reference{Reference::Kind::kRoom, -1, {}};
-  if (const int item = model.find_item(id); item >= 0) return Reference{Reference::Kind::kItem, item, {}};
-  if (const WallId wall = model.find_wall(id); wall.exists()) return Reference{Reference::Kind::kWall, -1, wall};
+  if (id == "room" || id == "floor" || id == "ceiling") return Reference{Reference::Kind::kRoom, {}, {}};
+  if (const ItemId item = model.find_item(id); item.exists()) return Reference{Reference::Kind::kItem, item, {}};
+  if (const WallId wall = model.find_wall(id); wall.exists()) return Reference{Reference::Kind::kWall, {}, wall};
   return fail(ErrorCode::kReference, fmt::format("a relation speaks of \"{}\", which is not in the scene", id), std::string(pointer));
 }
 
 // Where the cases do not see that an item is turned, they speak of its quarter turns only, and at the others nothing is known.
-void allow_quarter_turns(Formula& f, int item, const Item& self) {
+void allow_quarter_turns(Formula& f, ItemId item, const Item& self) {
   const auto speaks_of = [&](const Case& one) {
     if (one.turned) return false;
     const auto names = [&](const Term& term) { return term.item == item; };
@@ -50,18 +50,18 @@ void allow_quarter_turns(Formula& f, int item, const Item& self) {
 
 void allow_turned_only_where_exact(Compilation& c) {
   const RelationTraits& exact = traits_of(c.relation.type);
-  const auto restrict = [&](int item) {
+  const auto restrict = [&](ItemId item) {
     if (c.item(item).odd_states == 0) return;
     if (c.relation.type == RelationType::kOpposite && !c.item(item).is_opening()) return;  // they look at each other
     for (Formula& f : c.out.formulas) allow_quarter_turns(f, item, c.item(item));
   };
   if (!exact.targets_turned) std::for_each(c.targets.begin(), c.targets.end(), restrict);
   if (exact.references_turned) return;
-  const std::vector<int> references = c.reference_items();
+  const std::vector<ItemId> references = c.reference_items();
   std::for_each(references.begin(), references.end(), restrict);
   if (!references.empty()) return;
-  for (std::size_t i = 0; i < c.model.items.size(); ++i) {  // those that are meant where none is named
-    if (c.model.items[i].is_opening()) restrict(static_cast<int>(i));
+  for (const ItemId i : c.model.items.ids()) {  // those that are meant where none is named
+    if (c.model.items[i].is_opening()) restrict(i);
   }
 }
 
@@ -75,8 +75,8 @@ Place Compilation::place(const Reference& reference) const {
   return room;
 }
 
-std::vector<int> Compilation::reference_items() const {
-  std::vector<int> found;
+std::vector<ItemId> Compilation::reference_items() const {
+  std::vector<ItemId> found;
   for (const Reference& r : references) {
     if (r.kind == Reference::Kind::kItem) found.push_back(r.item);
   }

@@ -14,21 +14,21 @@ namespace layoutbox::placement {
 // What a relation's reference turned out to be.
 struct Reference {
   enum class Kind { kItem, kWall, kRoom } kind = Kind::kItem;
-  int item = -1;
+  ItemId item;
   WallId wall;
 };
 
 // Where a reference stands: an item's box, a wall's face from floor to ceiling, the room's box.
 struct Place {
   std::array<Linear, 3> lo, hi;
-  int item = -1;  // −1: a wall or the room
+  ItemId item;  // none: a wall or the room
 };
 
 // One relation on its way into the small form.
 struct Compilation {
   const PlacementModel& model;
   const Relation& relation;
-  std::vector<int> targets;  // items
+  std::vector<ItemId> targets;  // items
   std::vector<Reference> references;
   Constraint& out;
 
@@ -36,9 +36,9 @@ struct Compilation {
   Mm length(std::optional<Mm> RelationFigures::*parameter) const { return or_default(relation, parameter); }
   Formula& formula() { return out.formulas.emplace_back(); }
   void never() { out.formulas.emplace_back(); }
-  const Item& item(int index) const { return model.items[index]; }
+  const Item& item(ItemId index) const { return model.items[index]; }
   Place place(const Reference& reference) const;
-  std::vector<int> reference_items() const;
+  std::vector<ItemId> reference_items() const;
   // The walls named; all straight walls where none is.
   std::vector<WallId> walls() const;
 };
@@ -51,7 +51,7 @@ struct Compilation {
 Status compile_relation(const PlacementModel& model, const Relation& relation, std::string_view pointer, Constraint& out);
 
 // The cases of an item's support (what holds it up), in the order of item.supports, which it fills.
-Constraint compile_support(PlacementModel& model, int item);
+Constraint compile_support(PlacementModel& model, ItemId item);
 
 // Soft constraints for what the catalogue knows: backs to walls, chairs at their tables, sofas to televisions.
 void add_habits(PlacementModel& model);

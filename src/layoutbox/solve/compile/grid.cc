@@ -9,11 +9,11 @@ namespace {
 
 // The targets of a relation in rows from the front and columns from the left, in the order given.
 struct Grid {
-  const std::vector<int>& targets;
+  const std::vector<ItemId>& targets;
   int columns;
 
   int rows() const { return (static_cast<int>(targets.size()) + columns - 1) / columns; }
-  int at(int row, int column) const { return targets[static_cast<std::size_t>(row * columns + column)]; }
+  ItemId at(int row, int column) const { return targets[static_cast<std::size_t>(row * columns + column)]; }
 };
 
 Grid grid_of(const Compilation& c) {
@@ -25,8 +25,8 @@ Grid grid_of(const Compilation& c) {
 
 // In line with the first of its row or column, and behind the one before it.
 void follow(Case& in, const Grid& grid, int row, int column, int axis, Mm usual) {
-  const int t = grid.at(row, column), before = axis == 0 ? grid.at(row, column - 1) : grid.at(row - 1, column),
-            first = axis == 0 ? grid.at(row, 0) : grid.at(0, column);
+  const ItemId t = grid.at(row, column), before = axis == 0 ? grid.at(row, column - 1) : grid.at(row - 1, column),
+               first = axis == 0 ? grid.at(row, 0) : grid.at(0, column);
   in.require_small(mid2(t, 1 - axis) - mid2(first, 1 - axis), 0);
   const Linear gap = lo(t, axis) - hi(before, axis);
   in.require(gap);
@@ -34,19 +34,19 @@ void follow(Case& in, const Grid& grid, int row, int column, int axis, Mm usual)
 }
 
 // The middles of three that follow one another are as far apart, and the third in line with the second.
-void step_evenly(Case& in, int t, int before, int before_that, int axis) {
+void step_evenly(Case& in, ItemId t, ItemId before, ItemId before_that, int axis) {
   in.require_small((mid2(t, axis) - mid2(before, axis)) - (mid2(before, axis) - mid2(before_that, axis)), 0);
 }
 
 // The gap is that between the longest: one of them is that.
 void keep_gap(Compilation& c, const Grid& grid, int axis, Mm gap) {
-  const int next = axis == 0 ? (grid.columns > 1 ? grid.at(0, 1) : -1) : (grid.rows() > 1 ? grid.at(1, 0) : -1);
-  if (next < 0) return;
+  const ItemId next = axis == 0 ? (grid.columns > 1 ? grid.at(0, 1) : ItemId()) : (grid.rows() > 1 ? grid.at(1, 0) : ItemId());
+  if (!next.exists()) return;
   Formula& spacing = c.formula();
   spacing.exact = false;
-  for (const int longest : c.targets) {
+  for (const ItemId longest : c.targets) {
     Case& one = spacing.add();
-    for (const int t : c.targets) {
+    for (const ItemId t : c.targets) {
       if (t != longest) one.require(extent(longest, axis) - extent(t, axis));
     }
     one.require_small(mid2(next, axis) - mid2(grid.at(0, 0), axis) - 2 * extent(longest, axis) - Linear(std::int64_t{2} * gap), 2);
@@ -63,7 +63,7 @@ void compile_Grid(Compilation& c) {
   if (grid.rows() == 1 || grid.columns == 1) {  // whatever the order: one line
     const int across = grid.rows() == 1 ? 1 : 0;
     Case& line = f.add_outer();
-    for (const int t : c.targets) line.require_small(mid2(t, across) - mid2(c.targets[0], across), 2 * kSurelyUneven);
+    for (const ItemId t : c.targets) line.require_small(mid2(t, across) - mid2(c.targets[0], across), 2 * kSurelyUneven);
   }
   Case& in = f.add();
   const bool anywhere = n > 0 && c.model.items[c.targets[0]].is(Trait::kBearsCeiling);  // pillars are as far apart as the room is long
@@ -74,7 +74,8 @@ void compile_Grid(Compilation& c) {
   }
   // Said of every row and column, not of the first alone: a search that places one after another sees at once what each must keep to.
   for (int i = 0; i < n; ++i) {
-    const int row = i / grid.columns, column = i % grid.columns, t = grid.at(row, column);
+    const int row = i / grid.columns, column = i % grid.columns;
+    const ItemId t = grid.at(row, column);
     if (column > 1) step_evenly(in, t, grid.at(row, column - 1), grid.at(row, column - 2), 0);
     if (row > 1) step_evenly(in, t, grid.at(row - 1, column), grid.at(row - 2, column), 1);
     if (row > 1) in.require_small(mid2(t, 0) - mid2(grid.at(row - 1, column), 0), 0);

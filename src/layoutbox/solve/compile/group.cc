@@ -12,8 +12,8 @@ namespace layoutbox::placement {
 namespace {
 
 // The orders to try, and whether they are all there are.
-std::vector<std::vector<int>> orders_into(Formula& f, const Compilation& c) {
-  std::vector<std::vector<int>> orders = orders_of(c.model, c.relation, c.targets);
+std::vector<std::vector<ItemId>> orders_into(Formula& f, const Compilation& c) {
+  std::vector<std::vector<ItemId>> orders = orders_of(c.model, c.relation, c.targets);
   if (!orders.empty()) return orders;
   f.exact = false;
   return {c.targets};
@@ -26,13 +26,14 @@ std::vector<int> axes_of(const Compilation& c) {
 }
 
 // Targets in a line along an axis, in that order; `gap` 0 or more: exactly so far apart.
-void require_line(const PlacementModel& model, Case& c, const std::vector<int>& order, int axis, const std::optional<Mm>& gap, int edge) {
-  const bool close = std::ranges::all_of(order, [&](int item) {
+void require_line(const PlacementModel& model, Case& c, const std::vector<ItemId>& order, int axis, const std::optional<Mm>& gap,
+                  int edge) {
+  const bool close = std::ranges::all_of(order, [&](ItemId item) {
     const Item& one = model.items[item];
     return !one.is_opening() && one.mount == Mount::kFloor && layoutbox::stands_close(*one.entry);
   });
   for (std::size_t i = 1; i < order.size(); ++i) {
-    const int a = order[i - 1], b = order[i];
+    const ItemId a = order[i - 1], b = order[i];
     const Linear between = lo(b, axis) - hi(a, axis);
     if (gap) {
       c.require_small(between - Linear(*gap), 0);
@@ -52,7 +53,7 @@ void line_of_all(Compilation& c, const std::vector<int>& axes) {
     f.add();
     return;
   }
-  for (const std::vector<int>& order : orders_into(f, c)) {
+  for (const std::vector<ItemId>& order : orders_into(f, c)) {
     for (const int axis : axes) {
       for (const int edge : {0, 1, 2}) {
         Case& in = f.add();
@@ -79,7 +80,7 @@ std::vector<std::vector<char>> halves_of(std::size_t n) {
 constexpr std::size_t kMostDivided = 6;
 
 // The sides of the reference that may be meant, in pairs: what has no front, and tables, are flanked from front and back, too.
-std::vector<std::pair<Side, Side>> pairs_of_sides(const Compilation& c, int r) {
+std::vector<std::pair<Side, Side>> pairs_of_sides(const Compilation& c, ItemId r) {
   const std::pair across{Side::kLeft, Side::kRight}, along{Side::kFront, Side::kBack};
   if (c.relation.parameters.axis) return {c.relation.parameters.axis == Axis::kY ? along : across};
   if (c.item(r).is_opening() || (c.item(r).has_front && !c.item(r).takes_seats)) return {across};
@@ -98,7 +99,7 @@ std::vector<std::vector<char>> alternating(std::size_t n) {
 }
 
 // Half of the targets are beyond the one side of r, the others beyond the other.
-void part_evenly(Formula& f, const Compilation& c, int r, const std::vector<std::pair<Side, Side>>& pairs,
+void part_evenly(Formula& f, const Compilation& c, ItemId r, const std::vector<std::pair<Side, Side>>& pairs,
                  const std::vector<std::vector<char>>& halves) {
   for_each_turn(c.item(r), [&](int turn, std::uint64_t states) {
     for (const auto& [first, second] : pairs) {
@@ -113,7 +114,7 @@ void part_evenly(Formula& f, const Compilation& c, int r, const std::vector<std:
 }
 
 // The middle of t within the common extent of a and b along the other axis; best within either's own.
-void stand_between(Formula& f, int t, const Place& a, const Place& b, int axis) {
+void stand_between(Formula& f, ItemId t, const Place& a, const Place& b, int axis) {
   const int other = 1 - axis;
   for (const auto& [low, high] : {std::pair{&a, &a}, {&b, &b}, {&a, &b}, {&b, &a}}) {
     Case& in = f.add();
@@ -121,7 +122,7 @@ void stand_between(Formula& f, int t, const Place& a, const Place& b, int axis) 
     in.wish(mid2(t, axis) - a.hi[axis] - b.lo[axis], 60, 2);
     in.require(mid2(t, other) - 2 * low->lo[other]).require(2 * high->hi[other] - mid2(t, other));
     for (const Place* ref : {&a, &b}) {
-      if (ref->item >= 0) in.wish(mid2(t, other) - ref->lo[other] - ref->hi[other], 40, 2);
+      if (ref->item.exists()) in.wish(mid2(t, other) - ref->lo[other] - ref->hi[other], 40, 2);
     }
     if (low != high) in.price = 60;
   }
@@ -139,9 +140,9 @@ void compile_EachSideOf(Compilation& c) {
   // In the order given, where that is as good as any other or the others are too many.
   const bool alike = orders_of(c.model, c.relation, c.targets).size() == 1;
   const std::vector<std::vector<char>> halves = alike || n > kMostDivided ? alternating(n) : halves_of(n);
-  for (const int r : c.reference_items()) {
+  for (const ItemId r : c.reference_items()) {
     const auto pairs = pairs_of_sides(c, r);
-    for (const int t : c.targets) {  // each beyond one of the sides…
+    for (const ItemId t : c.targets) {  // each beyond one of the sides…
       Formula& f = c.formula();
       for (const auto& [first, second] : pairs) {
         for (const Side side : {first, second}) add_beside(f, c.model, t, r, side, {.most = most, .wished_gap = 50});
@@ -156,7 +157,7 @@ void compile_EachSideOf(Compilation& c) {
 
 void compile_Between(Compilation& c) {
   const auto is_place = [](const Reference& r) { return r.kind != Reference::Kind::kRoom; };
-  for (const int t : c.targets) {
+  for (const ItemId t : c.targets) {
     Formula& f = c.formula();
     const std::size_t n = c.references.size();
     for (std::size_t i = 0; i < n; ++i) {
@@ -182,9 +183,9 @@ void compile_EvenlySpaced(Compilation& c) {
   const std::vector<int> axes = axes_of(c);
   Formula& f = c.formula();
   f.exact = false;
-  const std::vector<std::vector<int>> orders = orders_into(f, c);
+  const std::vector<std::vector<ItemId>> orders = orders_into(f, c);
   const bool all_orders = !orders_of(c.model, c.relation, c.targets).empty();
-  for (const std::vector<int>& order : orders) {
+  for (const std::vector<ItemId>& order : orders) {
     for (const int axis : axes) {
       const auto gap = [&](std::size_t i) { return lo(order[i], axis) - hi(order[i - 1], axis); };
       if (all_orders) {  // overlapping things may be evenly spaced as well
@@ -199,8 +200,8 @@ void compile_EvenlySpaced(Compilation& c) {
       if (axes.size() < 2) continue;
       // Spread farther along this axis than along the other; as far as along x counts as along x.
       const Linear spread = mid2(order.back(), axis) - mid2(order.front(), axis) - Linear(axis == 0 ? 0 : 1);
-      for (const int a : order) {
-        for (const int b : order) {
+      for (const ItemId a : order) {
+        for (const ItemId b : order) {
           if (a != b) in.require(spread - mid2(a, 1 - axis) + mid2(b, 1 - axis));
         }
       }
@@ -211,13 +212,13 @@ void compile_EvenlySpaced(Compilation& c) {
 namespace {
 
 // All choices of a target of its own for each reference; those in the order given where they are too many.
-std::vector<std::vector<int>> choices(const std::vector<int>& targets, std::size_t refs) {
+std::vector<std::vector<ItemId>> choices(const std::vector<ItemId>& targets, std::size_t refs) {
   if (targets.size() > 4) return {{targets.begin(), targets.begin() + static_cast<std::ptrdiff_t>(refs)}};
-  std::vector<std::vector<int>> out;
-  std::vector<int> order = targets;
+  std::vector<std::vector<ItemId>> out;
+  std::vector<ItemId> order = targets;
   std::sort(order.begin(), order.end());
   do {
-    std::vector<int> head(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(refs));
+    std::vector<ItemId> head(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(refs));
     if (out.empty() || out.back() != head) out.push_back(std::move(head));
   } while (std::next_permutation(order.begin(), order.end()));
   std::sort(out.begin(), out.end());
@@ -229,23 +230,23 @@ std::vector<std::vector<int>> choices(const std::vector<int>& targets, std::size
 
 void compile_PairedWith(Compilation& c) {
   const Mm most = c.length(&RelationParameters::max);
-  const std::vector<int> refs = c.reference_items();
+  const std::vector<ItemId> refs = c.reference_items();
   if (refs.size() != c.references.size() || refs.size() > c.targets.size() || refs.empty()) {
     c.never();
     return;
   }
-  for (const int t : c.targets) {  // by one of them each…
+  for (const ItemId t : c.targets) {  // by one of them each…
     Formula& f = c.formula();
-    for (const int r : refs) add_band(f, c.model, t, place_of(r), 0, most, 100);
+    for (const ItemId r : refs) add_band(f, c.model, t, place_of(r), 0, most, 100);
   }
   if (refs.size() < 2) return;
-  for (const int r : refs) {  // …and each has one, surely…
+  for (const ItemId r : refs) {  // …and each has one, surely…
     Formula& f = c.formula();
-    for (const int t : c.targets) add_band(f, c.model, t, place_of(r), 0, most, 100);
+    for (const ItemId t : c.targets) add_band(f, c.model, t, place_of(r), 0, most, 100);
   }
   Formula& own = c.formula();  // …of its own
   own.exact = false;
-  for (const std::vector<int>& chosen : choices(c.targets, refs.size())) {
+  for (const std::vector<ItemId>& chosen : choices(c.targets, refs.size())) {
     Case in;
     for (std::size_t i = 0; i < refs.size(); ++i) {
       std::vector<Case> near;
@@ -262,12 +263,12 @@ void compile_PairedWith(Compilation& c) {
 
 void compile_Around(Compilation& c) {
   const Mm most = c.length(&RelationParameters::max);
-  for (const int r : c.reference_items()) add_seating(c, r, most, false);
+  for (const ItemId r : c.reference_items()) add_seating(c, r, most, false);
 }
 
 void compile_Surround(Compilation& c) {
   const Mm most = c.length(&RelationParameters::max);
-  for (const int r : c.reference_items()) add_seating(c, r, most, true);
+  for (const ItemId r : c.reference_items()) add_seating(c, r, most, true);
 }
 
 }  // namespace layoutbox::placement

@@ -12,7 +12,7 @@ namespace {
 // The cases of one turn of the reference in which a thing is at a part of it that words name: halves, the middle, corners, edges.
 class PartOfTop {
  public:
-  PartOfTop(const Item& ref, int t, int r, int turn, std::uint64_t states) : ref_(ref), t_(t), r_(r), turn_(turn), cases_(1) {
+  PartOfTop(const Item& ref, ItemId t, ItemId r, int turn, std::uint64_t states) : ref_(ref), t_(t), r_(r), turn_(turn), cases_(1) {
     cases_[0].when(r, states);
   }
 
@@ -76,12 +76,13 @@ class PartOfTop {
   }
 
   const Item& ref_;
-  int t_, r_, turn_;
+  ItemId t_, r_;
+  int turn_;
   std::vector<Case> cases_;
 };
 
 // Where on the reference, in its own frame.
-void require_part(Formula& f, const PlacementModel& model, int t, int r, const ThingPart& part) {
+void require_part(Formula& f, const PlacementModel& model, ItemId t, ItemId r, const ThingPart& part) {
   const Item& ref = model.items[r];
   for_each_turn(ref, [&](int turn, std::uint64_t states) {
     PartOfTop where(ref, t, r, turn, states);
@@ -95,7 +96,7 @@ bool names_space(const Item& item, const ThingPart& part) {
 }
 
 // t rests on r, or in it, at the part that is named.
-void add_at_part(Compilation& c, int t, int r, Resting how) {
+void add_at_part(Compilation& c, ItemId t, ItemId r, Resting how) {
   const ThingPart& part = c.relation.parameters.part;
   const Item& ref = c.item(r);
   const bool space = names_space(ref, part), top = part.has(PartWord::kTop) && !space;
@@ -108,7 +109,7 @@ void add_at_part(Compilation& c, int t, int r, Resting how) {
 }
 
 // "A cup on a coaster on the table": the coaster is on the table, and so the cup is; asked for is at most where on it.
-bool rests_by_way(Compilation& c, int t, const Reference& r) {
+bool rests_by_way(Compilation& c, ItemId t, const Reference& r) {
   if (r.kind != Reference::Kind::kItem || !rests_by_way_of_others(*c.model.scene, c.item(t).id, c.item(r.item).id)) return false;
   const ThingPart& part = c.relation.parameters.part;
   Formula& f = c.formula();
@@ -119,7 +120,7 @@ bool rests_by_way(Compilation& c, int t, const Reference& r) {
   return true;
 }
 
-void stand_on(Compilation& c, int t, const Reference& r, const std::string& id) {
+void stand_on(Compilation& c, ItemId t, const Reference& r, const std::string& id) {
   if (r.kind == Reference::Kind::kItem) {
     const Item& ref = c.item(r.item);
     if (ref.thin) {
@@ -153,7 +154,7 @@ void stand_on(Compilation& c, int t, const Reference& r, const std::string& id) 
 }  // namespace
 
 void compile_On(Compilation& c) {
-  for (const int t : c.targets) {
+  for (const ItemId t : c.targets) {
     for (std::size_t i = 0; i < c.references.size(); ++i) {
       if (rests_by_way(c, t, c.references[i])) continue;
       stand_on(c, t, c.references[i], c.relation.references[i]);
@@ -162,7 +163,7 @@ void compile_On(Compilation& c) {
 }
 
 void compile_In(Compilation& c) {
-  for (const int t : c.targets) {
+  for (const ItemId t : c.targets) {
     for (const Reference& r : c.references) {
       if (r.kind == Reference::Kind::kItem && !c.item(r.item).is_opening()) {
         add_at_part(c, t, r.item, Resting::kIn);
@@ -181,8 +182,8 @@ void compile_Stacked(Compilation& c) {
 }
 
 void compile_Under(Compilation& c) {
-  for (const int t : c.targets) {
-    for (const int r : c.reference_items()) {
+  for (const ItemId t : c.targets) {
+    for (const ItemId r : c.reference_items()) {
       Formula& f = c.formula();
       if (c.item(r).is_opening()) {
         add_under_window(f, c.model, t, r, 500);
@@ -197,8 +198,8 @@ void compile_Under(Compilation& c) {
 }
 
 void compile_Above(Compilation& c) {
-  for (const int t : c.targets) {
-    for (const int r : c.reference_items()) {
+  for (const ItemId t : c.targets) {
+    for (const ItemId r : c.reference_items()) {
       Formula& f = c.formula();
       if (c.item(r).is_opening()) {
         for_each_turn(c.item(r), [&](int turn, std::uint64_t states) {

@@ -6,36 +6,36 @@ namespace {
 
 constexpr int kBeforeWindow = 300;  // points a metre: what is under a window is under its middle
 
-std::vector<int> openings_meant(const Compilation& c, bool windows) {
-  std::vector<int> found = c.reference_items();
-  std::erase_if(found, [&](int i) { return !c.item(i).is_opening(); });
+std::vector<ItemId> openings_meant(const Compilation& c, bool windows) {
+  std::vector<ItemId> found = c.reference_items();
+  std::erase_if(found, [&](ItemId i) { return !c.item(i).is_opening(); });
   const auto named = [](const Reference& r) { return r.kind != Reference::Kind::kRoom; };
   if (std::any_of(c.references.begin(), c.references.end(), named)) return found;
-  for (std::size_t i = 0; i < c.model.items.size(); ++i) {
+  for (const ItemId i : c.model.items.ids()) {
     const Item& item = c.model.items[i];
-    if (item.is_opening() && (item.opening->type == OpeningType::kWindow) == windows) found.push_back(static_cast<int>(i));
+    if (item.is_opening() && (item.opening->type == OpeningType::kWindow) == windows) found.push_back(i);
   }
   return found;
 }
 
 void near_one(Compilation& c, bool windows) {
   const Mm least = c.length(&RelationParameters::min), most = c.length(&RelationParameters::max);
-  for (const int t : c.targets) {
+  for (const ItemId t : c.targets) {
     Formula& f = c.formula();
-    for (const int o : openings_meant(c, windows)) add_band(f, c.model, t, place_of(o), least, most, (least + most) / 4);
+    for (const ItemId o : openings_meant(c, windows)) add_band(f, c.model, t, place_of(o), least, most, (least + most) / 4);
   }
 }
 
 void far_from_all(Compilation& c, bool windows) {
   const Mm least = c.length(&RelationParameters::min);
-  for (const int t : c.targets) {
-    for (const int o : openings_meant(c, windows)) add_band(c.formula(), c.model, t, place_of(o), least, std::nullopt, 0);
+  for (const ItemId t : c.targets) {
+    for (const ItemId o : openings_meant(c, windows)) add_band(c.formula(), c.model, t, place_of(o), least, std::nullopt, 0);
   }
 }
 
 }  // namespace
 
-void add_under_window(Formula& f, const PlacementModel& model, int t, int window, Mm most) {
+void add_under_window(Formula& f, const PlacementModel& model, ItemId t, ItemId window, Mm most) {
   const Item& item = model.items[window];
   for_each_turn(item, [&](int turn, std::uint64_t states) {
     const Direction in = side_direction(item, Side::kFront, turn);
@@ -51,9 +51,9 @@ void add_under_window(Formula& f, const PlacementModel& model, int t, int window
 
 void compile_UnderWindow(Compilation& c) {
   const Mm most = c.length(&RelationParameters::max);
-  for (const int t : c.targets) {
+  for (const ItemId t : c.targets) {
     Formula& f = c.formula();
-    for (const int o : openings_meant(c, true)) add_under_window(f, c.model, t, o, most);
+    for (const ItemId o : openings_meant(c, true)) add_under_window(f, c.model, t, o, most);
   }
 }
 
@@ -63,15 +63,15 @@ void compile_FarFromDoor(Compilation& c) { far_from_all(c, false); }
 void compile_FarFromWindow(Compilation& c) { far_from_all(c, true); }
 
 void compile_NotBlocking(Compilation& c) {
-  std::vector<int> openings = c.reference_items();
-  std::erase_if(openings, [&](int o) { return !c.item(o).is_opening(); });
+  std::vector<ItemId> openings = c.reference_items();
+  std::erase_if(openings, [&](ItemId o) { return !c.item(o).is_opening(); });
   if (c.references.empty()) {
     openings = openings_meant(c, false);
-    const std::vector<int> windows = openings_meant(c, true);
+    const std::vector<ItemId> windows = openings_meant(c, true);
     openings.insert(openings.end(), windows.begin(), windows.end());
   }
-  for (const int t : c.targets) {
-    for (const int o : openings) {
+  for (const ItemId t : c.targets) {
+    for (const ItemId o : openings) {
       const Item& item = c.item(o);
       const bool window = item.opening->type == OpeningType::kWindow;
       const bool flat = c.item(t).thin && (window || !c.item(t).entry->lain_on);

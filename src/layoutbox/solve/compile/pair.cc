@@ -17,8 +17,8 @@ Mm comfortable_gap(const Item& target, const Item& ref, Side side) {
 
 void beside_each(Compilation& c, Side side) {
   const Mm most = c.length(&RelationParameters::max);
-  for (const int t : c.targets) {
-    for (const int r : c.reference_items()) {
+  for (const ItemId t : c.targets) {
+    for (const ItemId r : c.reference_items()) {
       const Mm wished = comfortable_gap(c.item(t), c.item(r), side);
       const bool in_plan = c.item(r).is_opening() && c.relation.type == RelationType::kInFrontOf;
       add_beside(c.formula(), c.model, t, r, side,
@@ -28,7 +28,7 @@ void beside_each(Compilation& c, Side side) {
 }
 
 void band_to_each(Compilation& c, Mm least, std::optional<Mm> most, Mm wished) {
-  for (const int t : c.targets) {
+  for (const ItemId t : c.targets) {
     for (const Reference& r : c.references) {
       Formula& f = c.formula();
       if (r.kind == Reference::Kind::kRoom) continue;  // no distance from it
@@ -43,7 +43,7 @@ void band_to_each(Compilation& c, Mm least, std::optional<Mm> most, Mm wished) {
 
 constexpr std::array kFourSides{Side::kFront, Side::kBack, Side::kLeft, Side::kRight};
 
-void along_side(Compilation& c, int t, int r, Side side, Mm most) {
+void along_side(Compilation& c, ItemId t, ItemId r, Side side, Mm most) {
   Formula& f = c.formula();
   for (const Side one : kFourSides) {
     if (const std::uint64_t states = states_where(c.item(r), one, side)) {
@@ -79,8 +79,8 @@ void compile_Distance(Compilation& c) {
 
 void compile_Touching(Compilation& c) {
   // A shared piece of face: no gap along one axis, overlapping extents along the others.
-  for (const int t : c.targets) {
-    for (const int r : c.reference_items()) {
+  for (const ItemId t : c.targets) {
+    for (const ItemId r : c.reference_items()) {
       Formula& f = c.formula();
       for (int axis = 0; axis < 3; ++axis) {
         for (const int sign : {1, -1}) {
@@ -108,8 +108,8 @@ void compile_Opposite(Compilation& c) {
       if (r.kind == Reference::Kind::kItem && !c.item(r.item).is_opening()) add_opposite_group(c, r.item, least, most);
     }
   }
-  for (const int t : c.targets) {
-    for (const int r : c.reference_items()) {
+  for (const ItemId t : c.targets) {
+    for (const ItemId r : c.reference_items()) {
       if (c.targets.size() < 2 || c.item(r).is_opening()) add_looks_at(c.formula(), c.model, t, r);
       if (c.item(r).is_opening()) {
         Formula& f = c.formula();
@@ -129,8 +129,8 @@ void compile_Opposite(Compilation& c) {
 }
 
 void compile_CenteredOn(Compilation& c) {
-  for (const int t : c.targets) {
-    for (const int r : c.reference_items()) {
+  for (const ItemId t : c.targets) {
+    for (const ItemId r : c.reference_items()) {
       const Item &target = c.item(t), &ref = c.item(r);
       const auto rests_on = [&](const SupportOption& s) { return s.kind == SupportOption::Kind::kItem && s.item == r; };
       const bool may_rest = std::any_of(target.supports.begin(), target.supports.end(), rests_on);
@@ -161,19 +161,19 @@ void compile_CenteredOn(Compilation& c) {
 
 void compile_AtFootOf(Compilation& c) {
   const Mm most = c.length(&RelationParameters::max);
-  for (const int t : c.targets) {
-    for (const int r : c.reference_items()) add_beside(c.formula(), c.model, t, r, Side::kFront, {.most = most, .wished_gap = 50});
+  for (const ItemId t : c.targets) {
+    for (const ItemId r : c.reference_items()) add_beside(c.formula(), c.model, t, r, Side::kFront, {.most = most, .wished_gap = 50});
   }
 }
 
 void compile_AtHeadOf(Compilation& c) {
   const Mm most = c.length(&RelationParameters::max);
-  for (const int r : c.reference_items()) {
+  for (const ItemId r : c.reference_items()) {
     const Item& ref = c.item(r);
     const std::vector<Side> used = ref.object ? ref.object->used_sides.value_or(ref.entry->used_sides) : std::vector<Side>{};
     const auto is_used = [&](Side side) { return std::find(used.begin(), used.end(), side) != used.end(); };
     const bool table = !ref.has_front || std::all_of(kFourSides.begin(), kFourSides.end(), is_used);
-    for (const int t : c.targets) {
+    for (const ItemId t : c.targets) {
       if (ref.is_opening()) {
         c.never();
         continue;
@@ -205,15 +205,15 @@ void compile_AtHeadOf(Compilation& c) {
 }
 
 void compile_AlongSide(Compilation& c) {
-  for (const int t : c.targets) {
-    for (const int r : c.reference_items()) {
+  for (const ItemId t : c.targets) {
+    for (const ItemId r : c.reference_items()) {
       along_side(c, t, r, or_default(c.relation, &RelationParameters::side), c.length(&RelationParameters::max));
     }
   }
 }
 
 // A seat at one side of a table: looks at it, within the side's length, pushed under by at least `under`.
-void add_tucked(Formula& f, const PlacementModel& model, int t, int r, Side side, Mm under, Mm wished_under) {
+void add_tucked(Formula& f, const PlacementModel& model, ItemId t, ItemId r, Side side, Mm under, Mm wished_under) {
   const Item &seat = model.items[t], &table = model.items[r];
   for_each_turn(table, [&](int turn, std::uint64_t states) {
     const Direction d = side_direction(table, side, turn);
@@ -233,8 +233,8 @@ void add_tucked(Formula& f, const PlacementModel& model, int t, int r, Side side
 }
 
 void compile_TuckedUnder(Compilation& c) {
-  for (const int t : c.targets) {
-    for (const int r : c.reference_items()) {
+  for (const ItemId t : c.targets) {
+    for (const ItemId r : c.reference_items()) {
       Formula& f = c.formula();
       for (const Side side : {Side::kFront, Side::kBack, Side::kLeft, Side::kRight}) {
         add_tucked(f, c.model, t, r, side, 50, 300);

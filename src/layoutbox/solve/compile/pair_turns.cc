@@ -23,7 +23,7 @@ std::uint64_t states_turned(const Item& t, int ref_turn, int period, int first, 
 }
 
 void turned_each(Compilation& c, int first, int step) {
-  for (const int t : c.targets) {
+  for (const ItemId t : c.targets) {
     for (const Reference& r : c.references) {
       Formula& f = c.formula();
       if (r.kind == Reference::Kind::kWall) {
@@ -66,8 +66,8 @@ std::optional<Side> side_of(Edge edge) {
 void compile_EdgeAlign(Compilation& c) {
   const Edge edge = or_default(c.relation, &RelationParameters::edge);
   const std::optional<Side> side = side_of(edge);
-  for (const int t : c.targets) {
-    for (const int r : c.reference_items()) {
+  for (const ItemId t : c.targets) {
+    for (const ItemId r : c.reference_items()) {
       Formula& f = c.formula();
       if (!side && edge != Edge::kCenter) continue;  // nothing has such an edge
       for_each_turn(c.item(r), [&](int turn, std::uint64_t states) {
@@ -85,7 +85,7 @@ void compile_EdgeAlign(Compilation& c) {
 }
 
 void compile_Facing(Compilation& c) {
-  for (const int t : c.targets) {
+  for (const ItemId t : c.targets) {
     const Side eyes = looking_side(c.model, t);
     for (const Reference& r : c.references) {
       Formula& f = c.formula();

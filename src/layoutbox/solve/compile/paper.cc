@@ -28,7 +28,7 @@ std::vector<int> axes_meant(const Compilation& c) {
 constexpr std::int32_t kOtherSide = 3000;  // points for the side where the scene's own positions do not have it
 
 // On which side of r the scene's own positions have t, along the relation's axis or else the one along which they are farther apart.
-std::optional<Direction> hinted_side(const Compilation& c, int t, int r) {
+std::optional<Direction> hinted_side(const Compilation& c, ItemId t, ItemId r) {
   const Item &target = c.item(t), &ref = c.item(r);
   if (target.is_opening() || ref.is_opening() || !target.object->hint.position || !ref.object->hint.position) return std::nullopt;
   const auto off = [&](int axis) { return (*target.object->hint.position)[axis] - (*ref.object->hint.position)[axis]; };
@@ -51,7 +51,7 @@ void align_all(Compilation& c) {
   Formula& f = c.formula();
   for (const int axis : axes_meant(c)) {
     std::vector<Linear> edges;
-    for (const int t : c.targets) edges.push_back(edge2(lo(t, axis), hi(t, axis), which));
+    for (const ItemId t : c.targets) edges.push_back(edge2(lo(t, axis), hi(t, axis), which));
     for (const Reference& r : c.references) {
       const Place place = c.place(r);
       edges.push_back(edge2(place.lo[axis], place.hi[axis], which));
@@ -61,7 +61,7 @@ void align_all(Compilation& c) {
   }
 }
 
-void offset_from_wall(Formula& f, const Compilation& c, int t, const RoomWall& wall, Mm distance) {
+void offset_from_wall(Formula& f, const Compilation& c, ItemId t, const RoomWall& wall, Mm distance) {
   const int axis = c.relation.parameters.axis ? static_cast<int>(*c.relation.parameters.axis) : wall.normal();
   if (!wall.straight) f.exact = false;
   if (axis == wall.normal()) {
@@ -75,7 +75,7 @@ void offset_from_wall(Formula& f, const Compilation& c, int t, const RoomWall& w
   }
 }
 
-void offset_from_item(Formula& f, const Compilation& c, int t, int r, Mm distance) {
+void offset_from_item(Formula& f, const Compilation& c, ItemId t, ItemId r, Mm distance) {
   const std::optional<Axis>& asked = c.relation.parameters.axis;
   const std::vector<int> axes = asked ? std::vector{static_cast<int>(*asked)} : std::vector{0, 1};
   for (const int axis : axes) {
@@ -93,7 +93,7 @@ void offset_from_item(Formula& f, const Compilation& c, int t, int r, Mm distanc
 
 void compile_Offset(Compilation& c) {
   const Mm distance = c.relation.parameters.distance.value_or(0);
-  for (const int t : c.targets) {
+  for (const ItemId t : c.targets) {
     for (const Reference& r : c.references) {
       Formula& f = c.formula();
       if (r.kind == Reference::Kind::kWall) offset_from_wall(f, c, t, c.model.walls[r.wall], distance);
@@ -106,8 +106,8 @@ void compile_Align(Compilation& c) { align_all(c); }
 void compile_GroupAlign(Compilation& c) { align_all(c); }
 
 void compile_Inside(Compilation& c) {
-  const std::vector<Reference> room{{Reference::Kind::kRoom, -1, {}}};
-  for (const int t : c.targets) {
+  const std::vector<Reference> room{{Reference::Kind::kRoom, {}, {}}};
+  for (const ItemId t : c.targets) {
     for (const Reference& r : c.references.empty() ? room : c.references) {
       const Place place = c.place(r);
       Case& in = c.formula().add();

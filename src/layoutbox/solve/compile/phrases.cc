@@ -16,7 +16,7 @@ Mm greatest_extent(const Item& item, int axis) {
 
 }  // namespace
 
-Place place_of(int item) {
+Place place_of(ItemId item) {
   Place place;
   place.item = item;
   for (int axis = 0; axis < 3; ++axis) place.lo[axis] = lo(item, axis), place.hi[axis] = hi(item, axis);
@@ -55,7 +55,7 @@ Linear gap_towards(const Place& t, const Place& r, Direction d) {
   return d.sign > 0 ? t.lo[d.axis] - r.hi[d.axis] : r.lo[d.axis] - t.hi[d.axis];
 }
 
-Linear gap_towards(int t, const Place& r, Direction d) { return gap_towards(place_of(t), r, d); }
+Linear gap_towards(ItemId t, const Place& r, Direction d) { return gap_towards(place_of(t), r, d); }
 
 bool floor_only(const Item& item) {
   return !item.is_opening() && item.supports.size() == 1 && item.supports[0].kind == SupportOption::Kind::kFloor;
@@ -78,7 +78,7 @@ std::optional<SignedHeading> signed_heading(const PlacementModel& model, double 
   return std::nullopt;
 }
 
-std::vector<PartPlace> parts_of(const PlacementModel& model, int index) {
+std::vector<PartPlace> parts_of(const PlacementModel& model, ItemId index) {
   const Item& item = model.items[index];
   std::vector<PartPlace> parts;
   if (quarter_states(item)) parts.push_back({place_of(index), quarter_states(item)});
@@ -99,7 +99,7 @@ std::vector<PartPlace> parts_of(const PlacementModel& model, int index) {
   return parts;
 }
 
-std::vector<Case> in_line(const Case& base, const PlacementModel& model, int t, const Place& r, int axis, Facing facing) {
+std::vector<Case> in_line(const Case& base, const PlacementModel& model, ItemId t, const Place& r, int axis, Facing facing) {
   // |mid(t) − mid(r)| ≤ max(half) − min(half)/5, or ≤ max(half).
   constexpr int kFifths = 5;
   const Linear off = mid2(t, axis) - r.lo[axis] - r.hi[axis];
@@ -113,15 +113,15 @@ std::vector<Case> in_line(const Case& base, const PlacementModel& model, int t, 
   };
   const Linear length = r.hi[axis] - r.lo[axis];
   const Item& item = model.items[t];
-  const Mm shortest = r.item >= 0 ? model.items[r.item].least_extent(axis) : static_cast<Mm>(length.constant);
-  const Mm longest = r.item >= 0 ? greatest_extent(model.items[r.item], axis) : static_cast<Mm>(length.constant);
+  const Mm shortest = r.item.exists() ? model.items[r.item].least_extent(axis) : static_cast<Mm>(length.constant);
+  const Mm longest = r.item.exists() ? greatest_extent(model.items[r.item], axis) : static_cast<Mm>(length.constant);
   std::vector<Case> cases;
   if (item.least_extent(axis) < longest) cases.push_back(within(length, extent(t, axis)));
   if (greatest_extent(item, axis) >= shortest || cases.empty()) cases.push_back(within(extent(t, axis), length));
   return cases;
 }
 
-std::vector<Case> cover(const Case& base, const PlacementModel& model, int t, int r, Mm grow) {
+std::vector<Case> cover(const Case& base, const PlacementModel& model, ItemId t, ItemId r, Mm grow) {
   // |mid(t) − mid(r)| ≤ max(half) − min(half)/2 along both axes: one case for each that may be the greater.
   const Item &a = model.items[t], &b = model.items[r];
   std::vector<Case> cases{base};
@@ -154,10 +154,10 @@ std::uint64_t states_with_width_along(const Item& item, int axis) {
   return mask;
 }
 
-std::vector<std::vector<int>> orders_of(const PlacementModel& model, const Relation& relation, std::vector<int> things) {
+std::vector<std::vector<ItemId>> orders_of(const PlacementModel& model, const Relation& relation, std::vector<ItemId> things) {
   if (things.size() < 2) return {things};
   // Alike: one kind, one size, nothing said of one that is not said of the others in this very relation.
-  const auto is_alone = [&](int t) {
+  const auto is_alone = [&](ItemId t) {
     const std::string& id = model.items[t].id;
     const auto speaks = [&](const Relation& r) {
       const auto has = [&](const std::vector<std::string>& ids) { return std::find(ids.begin(), ids.end(), id) != ids.end(); };
@@ -166,14 +166,14 @@ std::vector<std::vector<int>> orders_of(const PlacementModel& model, const Relat
     return !model.items[t].fixed && std::none_of(model.scene->relations.begin(), model.scene->relations.end(), speaks);
   };
   const Item& first = model.items[things[0]];
-  const bool alike = std::all_of(things.begin(), things.end(), [&](int t) {
+  const bool alike = std::all_of(things.begin(), things.end(), [&](ItemId t) {
     const Item& item = model.items[t];
     return item.entry == first.entry && item.mount == first.mount && item.states.size() == first.states.size() &&
            item.states[0].size == first.states[0].size && is_alone(t);
   });
   if (alike) return {things};
   if (things.size() > 4) return {};
-  std::vector<std::vector<int>> orders;
+  std::vector<std::vector<ItemId>> orders;
   std::sort(things.begin(), things.end());
   do {
     orders.push_back(things);

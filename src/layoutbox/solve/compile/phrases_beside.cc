@@ -9,7 +9,7 @@ namespace layoutbox::placement {
 namespace {
 
 // Wishes that things beside one another look as if meant: flush backs beside, centred before and behind.
-void wish_alignment(Case& c, const Item& ref, int t, int r, Side side, int turn, Direction d) {
+void wish_alignment(Case& c, const Item& ref, ItemId t, ItemId r, Side side, int turn, Direction d) {
   if (side == Side::kLeft || side == Side::kRight) {
     const Direction back = side_direction(ref, Side::kBack, turn);
     c.wish(reach(t, back) - reach(r, back), 60);
@@ -20,7 +20,7 @@ void wish_alignment(Case& c, const Item& ref, int t, int r, Side side, int turn,
 
 // Beside what is turned with a slanted wall: t is turned with it too (by quarters more or less), so that their distance is the gap
 // between two parallel sides.
-void add_beside_slanted(Formula& f, const PlacementModel& model, int t, int r, Side side, const Beside& how, bool level) {
+void add_beside_slanted(Formula& f, const PlacementModel& model, ItemId t, ItemId r, Side side, const Beside& how, bool level) {
   const Item &self = model.items[t], &ref = model.items[r];
   if (self.spans < 0 || ref.spans < 0 || !ref.has_front || how.may_reach_under) return;
   const double by = side == Side::kFront ? 270 : side == Side::kBack ? 90 : side == Side::kLeft ? 180 : 0;
@@ -36,7 +36,7 @@ void add_beside_slanted(Formula& f, const PlacementModel& model, int t, int r, S
     const Linear gap =
         d->sign * (along2(model, t, d->heading) - along2(model, r, d->heading)) - span(model, t, d->heading) - span(model, r, d->heading);
     const Linear off = u->sign * (along2(model, t, u->heading) - along2(model, r, u->heading));
-    for (const int shorter : {t, r}) {  // its middle faces the longer
+    for (const ItemId shorter : {t, r}) {  // its middle faces the longer
       const Linear length = span(model, shorter == t ? r : t, u->heading);
       Case& c = f.add().when(r, ref_states).when(t, states);
       c.require(gap, millimetre).require(Linear(millimetre * how.most) - gap, millimetre);
@@ -58,19 +58,19 @@ void add_beside_slanted(Formula& f, const PlacementModel& model, int t, int r, S
 
 }  // namespace
 
-int frame_host(const PlacementModel& model, int r) {
+ItemId frame_host(const PlacementModel& model, ItemId r) {
   const Item& ref = model.items[r];
-  if (ref.is_opening() || ref.has_front) return -1;
-  int host = -1;
+  if (ref.is_opening() || ref.has_front) return {};
+  ItemId host;
   for (const Relation& relation : model.scene->relations) {
     if (!traits_of(relation.type).rests || relation.targets.size() != 1 || relation.targets.front() != ref.id ||
         relation.references.size() != 1)
       continue;
-    const int named = model.find_item(relation.references.front());
-    if (named < 0 || model.items[named].is_opening() || model.items[named].thin || (host >= 0 && host != named)) return -1;
+    const ItemId named = model.find_item(relation.references.front());
+    if (!named.exists() || model.items[named].is_opening() || model.items[named].thin || (host.exists() && host != named)) return {};
     host = named;
   }
-  return host >= 0 && model.items[host].has_front ? host : -1;
+  return host.exists() && model.items[host].has_front ? host : ItemId();
 }
 
 namespace {
@@ -78,14 +78,14 @@ namespace {
 // "All of t beyond that side of r, in line with it", on its way into a formula.
 class BesideCases {
  public:
-  BesideCases(Formula& f, const PlacementModel& model, int t, int r, Side side, const Beside& how)
+  BesideCases(Formula& f, const PlacementModel& model, ItemId t, ItemId r, Side side, const Beside& how)
       : f_(f),
         model_(model),
         t_(t),
         r_(r),
         side_(side),
         how_(how),
-        framed_(how.frame >= 0 ? how.frame : r),
+        framed_(how.frame.exists() ? how.frame : r),
         ref_(model.items[framed_]),
         place_(place_of(r)),
         odd_(model.items[t].odd_states) {
@@ -150,10 +150,10 @@ class BesideCases {
 
   Formula& f_;
   const PlacementModel& model_;
-  int t_, r_;
+  ItemId t_, r_;
   Side side_;
   const Beside& how_;
-  int framed_;  // in whose frame the side is meant
+  ItemId framed_;  // in whose frame the side is meant
   const Item& ref_;
   Place place_;
   std::uint64_t odd_;
@@ -164,13 +164,13 @@ class BesideCases {
 
 }  // namespace
 
-void add_beside(Formula& f, const PlacementModel& model, int t, int r, Side side, const Beside& how) {
-  const Item& ref = model.items[how.frame >= 0 ? how.frame : r];
+void add_beside(Formula& f, const PlacementModel& model, ItemId t, ItemId r, Side side, const Beside& how) {
+  const Item& ref = model.items[how.frame.exists() ? how.frame : r];
   BesideCases cases(f, model, t, r, side, how);
   for_each_turn(ref, [&](int turn, std::uint64_t states) { cases.add(turn, states); });
   if (ref.odd_states == 0) return;
   if (ref.spans < 0) {  // in the frame of what stands at an odd angle, whose reach nobody knows: not placed and not proven
-    if (how.frame >= 0) f.exact = false, f.outer.clear();
+    if (how.frame.exists()) f.exact = false, f.outer.clear();
     return;
   }
   if (f.exact) f.outer = f.cases;

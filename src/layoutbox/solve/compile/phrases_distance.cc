@@ -15,9 +15,9 @@ Mm gap_in_height(Mm low_a, Mm height_a, Mm low_b, Mm height_b) { return std::max
 
 }  // namespace
 
-Heights heights_between(const PlacementModel& model, int t, const Place& r, Mm most, Purpose purpose) {
+Heights heights_between(const PlacementModel& model, ItemId t, const Place& r, Mm most, Purpose purpose) {
   Heights h;
-  if (r.item < 0) return {true, 0, ~std::uint64_t{0}};  // walls go from floor to ceiling
+  if (!r.item.exists()) return {true, 0, ~std::uint64_t{0}};  // walls go from floor to ceiling
   const Item &a = model.items[t], &b = model.items[r.item];
   const auto low_a = underside_of(a), low_b = underside_of(b);
   if (!low_a || !low_b) return h;
@@ -53,8 +53,8 @@ struct Pair {
 };
 
 // Pairs of places within t and r, one of which is as near as need be: corners meet what is no corner.
-std::vector<Pair> pairs_of_parts(const PlacementModel& model, int t, const Place& r, std::uint64_t t_states) {
-  const std::vector<PartPlace> references = r.item >= 0 ? parts_of(model, r.item) : std::vector<PartPlace>{{r, 0}};
+std::vector<Pair> pairs_of_parts(const PlacementModel& model, ItemId t, const Place& r, std::uint64_t t_states) {
+  const std::vector<PartPlace> references = r.item.exists() ? parts_of(model, r.item) : std::vector<PartPlace>{{r, 0}};
   std::vector<Pair> pairs;
   for (const PartPlace& own : parts_of(model, t)) {
     for (const PartPlace& other : references) {
@@ -112,17 +112,17 @@ struct Limit {
 
 }  // namespace
 
-void add_within(std::vector<Case>& cases, Case base, const PlacementModel& model, int t, const Place& r, Mm most, Purpose purpose,
+void add_within(std::vector<Case>& cases, Case base, const PlacementModel& model, ItemId t, const Place& r, Mm most, Purpose purpose,
                 std::uint64_t t_states) {
   const Heights heights = heights_between(model, t, r, most, purpose);
   Limit limit{heights.known, most, purpose == Purpose::kProving};
   if (heights.known) {
     if (heights.gap > most) return;
-    if (!limit.proving && heights.states != model.items[t].all_states && r.item >= 0) base.when(t, heights.states);
+    if (!limit.proving && heights.states != model.items[t].all_states && r.item.exists()) base.when(t, heights.states);
     const double squared = static_cast<double>(most) * most - static_cast<double>(heights.gap) * heights.gap;
     limit.left = static_cast<std::int64_t>(std::floor(std::sqrt(squared) + (limit.proving ? 1 : 0)));
   }
-  const bool odd = model.items[t].odd_states != 0 || (r.item >= 0 && model.items[r.item].odd_states != 0);
+  const bool odd = model.items[t].odd_states != 0 || (r.item.exists() && model.items[r.item].odd_states != 0);
   if (limit.proving || !odd) {  // the box around a turned body is no farther than the body
     limit.add(cases, base, place_of(t), r);
     return;
@@ -130,14 +130,14 @@ void add_within(std::vector<Case>& cases, Case base, const PlacementModel& model
   for (const Pair& pair : pairs_of_parts(model, t, r, t_states)) {
     Case c = base;
     if (pair.t.states != model.items[t].all_states) c.when(t, pair.t.states);
-    if (r.item >= 0 && pair.r.states != model.items[r.item].all_states) c.when(r.item, pair.r.states);
+    if (r.item.exists() && pair.r.states != model.items[r.item].all_states) c.when(r.item, pair.r.states);
     limit.add(cases, c, pair.t.place, pair.r.place);
   }
 }
 
 // An axis along which they are `least` apart is enough, and so is a sum over two axes of √2 times that. Needed is one of: 92 % along an
 // axis, or a sum over two or three of 1.31 times.
-void add_apart(std::vector<Case>& cases, const PlacementModel& model, int t, const Place& r, Mm least, Purpose purpose) {
+void add_apart(std::vector<Case>& cases, const PlacementModel& model, ItemId t, const Place& r, Mm least, Purpose purpose) {
   const bool proving = purpose == Purpose::kProving;
   const bool flat = heights_between(model, t, r, least, purpose).known && heights_between(model, t, r, least, purpose).gap == 0;
   const int axes = flat ? 2 : 3;
@@ -170,28 +170,26 @@ constexpr int kMostSectors = 12;         // of a quadrant
 constexpr std::int32_t kPlanar = 10000;  // directions are whole numbers of this length
 
 // Where it stands if it stands as it is told to: on the floor, or on top of something there.
-std::optional<Mm> told_underside(const PlacementModel& model, int item) {
-  const Item& self = model.items[static_cast<std::size_t>(item)];
+std::optional<Mm> told_underside(const PlacementModel& model, ItemId item) {
+  const Item& self = model.items[item];
   if (const auto known = underside_of(self); known || self.is_opening()) return known;
   for (const Relation& r : model.scene->relations) {
     if (r.type != RelationType::kOn || r.references.size() != 1 || std::ranges::find(r.targets, self.id) == r.targets.end()) continue;
-    const int host = model.find_item(r.references[0]);
-    if (host >= 0 && floor_only(model.items[static_cast<std::size_t>(host)]))
-      return model.items[static_cast<std::size_t>(host)].states[0].extent[2];
+    const ItemId host = model.find_item(r.references[0]);
+    if (host.exists() && floor_only(model.items[host])) return model.items[host].states[0].extent[2];
   }
   return std::nullopt;
 }
 
 // The heights that these things are told to have, which a case may count on that asks for them.
-Heights told_heights(const PlacementModel& model, int t, int r, Case& asks) {
+Heights told_heights(const PlacementModel& model, ItemId t, ItemId r, Case& asks) {
   Heights h;
   const auto low_t = told_underside(model, t), low_r = told_underside(model, r);
   if (!low_t || !low_r) return h;
   h.known = true;
-  h.states = model.items[static_cast<std::size_t>(t)].all_states;
-  for (const State& a : model.items[static_cast<std::size_t>(t)].states) {
-    for (const State& b : model.items[static_cast<std::size_t>(r)].states)
-      h.gap = std::max(h.gap, gap_in_height(*low_t, a.extent[2], *low_r, b.extent[2]));
+  h.states = model.items[t].all_states;
+  for (const State& a : model.items[t].states) {
+    for (const State& b : model.items[r].states) h.gap = std::max(h.gap, gap_in_height(*low_t, a.extent[2], *low_r, b.extent[2]));
   }
   for (const auto& [item, low] : {std::pair{t, *low_t}, std::pair{r, *low_r}})
     asks.require(lo(item, 2) - Linear(low)).require(Linear(low) - lo(item, 2));
@@ -199,9 +197,9 @@ Heights told_heights(const PlacementModel& model, int t, int r, Case& asks) {
 }
 
 // A ring too narrow for the octagons: pieces of it, one beside the other, beyond the corners of r.
-void add_ring(std::vector<Case>& cases, const PlacementModel& model, int t, const Place& r, Mm least, Mm most) {
-  const bool odd = model.items[t].odd_states != 0 || (r.item >= 0 && model.items[r.item].odd_states != 0);
-  if (r.item < 0 || odd || least <= 0 || most < least || most * 10 > least * 11 + 300) return;
+void add_ring(std::vector<Case>& cases, const PlacementModel& model, ItemId t, const Place& r, Mm least, Mm most) {
+  const bool odd = model.items[t].odd_states != 0 || (r.item.exists() && model.items[r.item].odd_states != 0);
+  if (!r.item.exists() || odd || least <= 0 || most < least || most * 10 > least * 11 + 300) return;
   Heights heights = heights_between(model, t, r, most, Purpose::kPlacing);
   Case asks;
   if (!heights.known) heights = told_heights(model, t, r.item, asks);
@@ -233,15 +231,15 @@ void add_ring(std::vector<Case>& cases, const PlacementModel& model, int t, cons
 
 }  // namespace
 
-void add_band(Formula& f, const PlacementModel& model, int t, const Place& r, Mm least, std::optional<Mm> most, Mm wished) {
+void add_band(Formula& f, const PlacementModel& model, ItemId t, const Place& r, Mm least, std::optional<Mm> most, Mm wished) {
   f.exact = false;
   for (const Purpose purpose : {Purpose::kPlacing, Purpose::kProving}) {
     std::vector<Case> apart;
-    const auto odd_states = [&](int item) { return item >= 0 ? model.items[item].odd_states : 0; };
+    const auto odd_states = [&](ItemId item) { return item.exists() ? model.items[item].odd_states : 0; };
     if (least > 0) {
       add_apart(apart, model, t, r, least, purpose);
       // What is turned may be farther than the box around it.
-      for (const int item : {t, r.item}) {
+      for (const ItemId item : {t, r.item}) {
         if (purpose == Purpose::kProving && odd_states(item)) apart.emplace_back().when(item, odd_states(item));
       }
     } else {
@@ -249,7 +247,7 @@ void add_band(Formula& f, const PlacementModel& model, int t, const Place& r, Mm
     }
     std::vector<Case>& out = purpose == Purpose::kPlacing ? f.cases : f.outer;
     for (Case& in : apart) {
-      if (purpose == Purpose::kPlacing && r.item >= 0) {
+      if (purpose == Purpose::kPlacing && r.item.exists()) {
         for (int axis = 0; axis < 2; ++axis) in.wish(mid2(t, axis) - mid2(r.item, axis), wished > 500 ? 4 : 15, 2);
       }
       if (most) {

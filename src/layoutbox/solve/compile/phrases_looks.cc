@@ -13,7 +13,7 @@ constexpr std::int32_t kLookAcross = 100000, kLookAhead = 26794;
 
 }  // namespace
 
-Side looking_side(const PlacementModel& model, int item) {
+Side looking_side(const PlacementModel& model, ItemId item) {
   const Item& self = model.items[item];
   if (!self.is(Trait::kDeskLike) || used_side(self) != Side::kFront) return Side::kFront;
   const auto has = [](const std::vector<std::string>& ids, const std::string& id) {
@@ -21,15 +21,15 @@ Side looking_side(const PlacementModel& model, int item) {
   };
   const bool used_from_behind = std::any_of(model.scene->relations.begin(), model.scene->relations.end(), [&](const Relation& r) {
     const auto sits = [&](const std::string& id) {
-      const int seat = model.find_item(id);
-      return seat >= 0 && model.items[seat].is(Trait::kTableSeat);
+      const ItemId seat = model.find_item(id);
+      return seat.exists() && model.items[seat].is(Trait::kTableSeat);
     };
     return r.type == RelationType::kBehind && has(r.references, self.id) && std::any_of(r.targets.begin(), r.targets.end(), sits);
   });
   return used_from_behind ? Side::kFront : Side::kBack;
 }
 
-void add_looks_at(Formula& f, const PlacementModel& model, int t, int r, Side eyes) {
+void add_looks_at(Formula& f, const PlacementModel& model, ItemId t, ItemId r, Side eyes) {
   const Item& item = model.items[t];
   if (!item.has_front) {
     f.add().wish(Linear(0), 1);
@@ -72,7 +72,7 @@ void add_looks_at(Formula& f, const PlacementModel& model, int t, int r, Side ey
   });
 }
 
-void add_looks_with_group(Formula& f, const PlacementModel& model, int t, const std::vector<int>& group, int r) {
+void add_looks_with_group(Formula& f, const PlacementModel& model, ItemId t, const std::vector<ItemId>& group, ItemId r) {
   const Item& item = model.items[t];
   add_looks_at(f, model, t, r);
   if (!item.has_front) return;
@@ -83,7 +83,7 @@ void add_looks_with_group(Formula& f, const PlacementModel& model, int t, const 
     const Direction d = side_direction(item, Side::kFront, turn);
     const int a = across(d);
     Linear off = Linear(0) - n * mid2(r, a), back = Linear(0);
-    for (const int member : group) off = off + mid2(member, a), back = back + mid2(member, d.axis);
+    for (const ItemId member : group) off = off + mid2(member, a), back = back + mid2(member, d.axis);
     const Linear ahead = reach(r, d) - reach(t, d);
     const Linear distance2 = Linear(0) - 2 * n * reach(r, opposite(d)) - d.sign * back;
     Case middle, cone;
@@ -97,7 +97,7 @@ void add_looks_with_group(Formula& f, const PlacementModel& model, int t, const 
   });
 }
 
-void add_looks_at_wall(Formula& f, const PlacementModel& model, int t, const RoomWall& wall, Side eyes) {
+void add_looks_at_wall(Formula& f, const PlacementModel& model, ItemId t, const RoomWall& wall, Side eyes) {
   const Item& item = model.items[t];
   if (!item.has_front) {
     f.add();
@@ -115,7 +115,7 @@ void add_looks_at_wall(Formula& f, const PlacementModel& model, int t, const Roo
   });
 }
 
-void add_looks_at_point(Formula& f, const PlacementModel& model, int t, Point point, Side eyes) {
+void add_looks_at_point(Formula& f, const PlacementModel& model, ItemId t, Point point, Side eyes) {
   const Item& item = model.items[t];
   for_each_turn(item, [&](int turn, std::uint64_t states) {
     if (!item.has_front || !quarter(turn)) return;

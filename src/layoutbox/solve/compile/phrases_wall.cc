@@ -11,12 +11,12 @@ constexpr Mm kFlush = 3;  // off a slanted wall, that some whole millimetre may 
 
 }  // namespace
 
-void require_near_wall(Case& c, const PlacementModel& model, int t, const RoomWall& wall, Mm most) {
+void require_near_wall(Case& c, const PlacementModel& model, ItemId t, const RoomWall& wall, Mm most) {
   c.require(Linear(most) - gap_towards(t, place_of(model, wall), {wall.normal(), wall.inward}));
   c.require(hi(t, wall.along) - Linear(wall.lo)).require(Linear(wall.hi) - lo(t, wall.along));
 }
 
-void require_near_slanted_wall(Case& c, const PlacementModel& model, int t, const RoomWall& wall, Mm most) {
+void require_near_slanted_wall(Case& c, const PlacementModel& model, ItemId t, const RoomWall& wall, Mm most) {
   const std::int64_t millimetre = 2 * kHeading;
   const auto length = static_cast<std::int64_t>(std::hypot(wall.end.x - wall.start.x, wall.end.y - wall.start.y));
   const Linear along = along_wall2(model, t, wall);
@@ -24,7 +24,7 @@ void require_near_slanted_wall(Case& c, const PlacementModel& model, int t, cons
   c.require(along, millimetre).require(Linear(millimetre * length) - along, millimetre);
 }
 
-void wish_middle_of_wall(Case& c, const PlacementModel& model, int t, const RoomWall& wall, int weight) {
+void wish_middle_of_wall(Case& c, const PlacementModel& model, ItemId t, const RoomWall& wall, int weight) {
   if (wall.straight) {
     c.wish(mid2(t, wall.along) - Linear(std::int64_t{wall.lo} + wall.hi), weight, 2);
     return;
@@ -33,7 +33,7 @@ void wish_middle_of_wall(Case& c, const PlacementModel& model, int t, const Room
   c.wish(along_wall2(model, t, wall) - Linear(static_cast<std::int64_t>(kHeading * length)), weight, 2 * kHeading);
 }
 
-void wish_beside_on_wall(Case& c, const PlacementModel& model, int t, int r, const RoomWall& wall, int weight) {
+void wish_beside_on_wall(Case& c, const PlacementModel& model, ItemId t, ItemId r, const RoomWall& wall, int weight) {
   if (wall.straight) {
     c.wish(mid2(t, wall.along) - mid2(r, wall.along), weight, 2);
     c.wish(mid2(t, wall.normal()) - mid2(r, wall.normal()), weight / 2, 2);
@@ -43,7 +43,7 @@ void wish_beside_on_wall(Case& c, const PlacementModel& model, int t, int r, con
   c.wish(along2(model, t, wall.normal_heading) - along2(model, r, wall.normal_heading), weight / 2, 2 * kHeading);
 }
 
-std::vector<Case> away_from_angled(const PlacementModel& model, int t, const RoomWall& wall, Mm least) {
+std::vector<Case> away_from_angled(const PlacementModel& model, ItemId t, const RoomWall& wall, Mm least) {
   std::vector<Case> cases;
   const Place box = place_of(model, wall);  // the least that is surely enough: away from the box around it
   Place around = box;
@@ -110,7 +110,7 @@ std::uint64_t states_with_side_to(const Item& item, const RoomWall& wall, Side s
   return mask;
 }
 
-void add_against_slanted(Formula& f, const PlacementModel& model, int t, std::uint64_t states, const RoomWall& wall, Mm gap) {
+void add_against_slanted(Formula& f, const PlacementModel& model, ItemId t, std::uint64_t states, const RoomWall& wall, Mm gap) {
   f.exact = false;
   if (!states || model.items[t].spans < 0) return;
   const Linear off = slanted_gap2(model, t, wall), along = along_wall2(model, t, wall), half = span(model, t, wall.along_heading);
@@ -123,7 +123,7 @@ void add_against_slanted(Formula& f, const PlacementModel& model, int t, std::ui
   c.require(Linear(static_cast<std::int64_t>(millimetre * length)) - along - half, millimetre);
 }
 
-void add_against(Formula& f, const PlacementModel& model, int t, std::uint64_t states, const RoomWall& wall, Mm gap, bool whole) {
+void add_against(Formula& f, const PlacementModel& model, ItemId t, std::uint64_t states, const RoomWall& wall, Mm gap, bool whole) {
   if (!wall.straight) {
     add_against_slanted(f, model, t, states, wall, gap);
     return;

@@ -29,7 +29,7 @@ bool turns_left(const RoomWall& a, const RoomWall& b) {
 void centre_on_slanted(Formula& f, const Compilation& c, const RoomWall& wall, Mm gap) {
   f.exact = false;
   if (c.targets.size() != 1) return;
-  const int t = c.targets[0];
+  const ItemId t = c.targets[0];
   const std::size_t known = f.cases.size();
   add_against(f, c.model, t, states_with_back_to(c.item(t), wall), wall, gap);
   const std::int64_t millimetre = 2 * kHeading;
@@ -42,7 +42,7 @@ void centre_on_slanted(Formula& f, const Compilation& c, const RoomWall& wall, M
 }
 
 // In a corner of which a wall is slanted: near where they meet.
-void stand_in_slanted_corner(Formula& f, const Compilation& c, int t, const RoomWall& first, Mm most) {
+void stand_in_slanted_corner(Formula& f, const Compilation& c, ItemId t, const RoomWall& first, Mm most) {
   f.exact = false;
   Place corner;
   const Point& at = first.end;
@@ -57,7 +57,7 @@ void stand_in_slanted_corner(Formula& f, const Compilation& c, int t, const Room
 
 void compile_AgainstWall(Compilation& c) {
   const Mm gap = c.length(&RelationParameters::gap);
-  for (const int t : c.targets) {
+  for (const ItemId t : c.targets) {
     Formula& f = c.formula();
     for (const WallId w : c.walls()) {
       const RoomWall& wall = c.model.walls[w];
@@ -70,7 +70,7 @@ void compile_SideAgainstWall(Compilation& c) {
   const Mm gap = c.length(&RelationParameters::gap);
   const std::vector<Side> sides =
       c.relation.parameters.side ? std::vector{*c.relation.parameters.side} : std::vector{Side::kLeft, Side::kRight};
-  for (const int t : c.targets) {
+  for (const ItemId t : c.targets) {
     Formula& f = c.formula();
     for (const WallId w : c.walls()) {
       const RoomWall& wall = c.model.walls[w];
@@ -99,7 +99,7 @@ bool is_meant(const std::vector<WallId>& named, WallId first, WallId second) {
   return named.size() == 1 ? is_named(first) || is_named(second) : is_named(first) && is_named(second);
 }
 
-void stand_in_corner(Formula& f, const Compilation& c, int t, const RoomWall& a, const RoomWall& b, Mm most) {
+void stand_in_corner(Formula& f, const Compilation& c, ItemId t, const RoomWall& a, const RoomWall& b, Mm most) {
   if (!a.straight || !b.straight) return stand_in_slanted_corner(f, c, t, a, most);
   Case& inside = f.add();
   for (const RoomWall* wall : {&a, &b}) {
@@ -122,7 +122,7 @@ void compile_Corner(Compilation& c) {
     c.never();  // a corner of no wall
     return;
   }
-  for (const int t : c.targets) {
+  for (const ItemId t : c.targets) {
     Formula& f = c.formula();
     // Near the end of a wall that goes on past another the distance runs round a corner.
     if (!c.model.outside.empty()) f.exact = false;
@@ -147,10 +147,10 @@ void compile_CenterOfRoom(Compilation& c) {
   // The middle of the group's extent: some target is the lowest and some the highest along each axis.
   for (int axis = 0; axis < 2; ++axis) {
     Formula& f = c.formula();
-    for (const int low : c.targets) {
-      for (const int high : c.targets) {
+    for (const ItemId low : c.targets) {
+      for (const ItemId high : c.targets) {
         Case& in = f.add();
-        for (const int t : c.targets) {
+        for (const ItemId t : c.targets) {
           if (t != low) in.require(lo(t, axis) - lo(low, axis));
           if (t != high) in.require(hi(high, axis) - hi(t, axis));
         }
@@ -172,7 +172,7 @@ void compile_CenteredOnWall(Compilation& c) {
     }
     // All of them at the wall…
     std::vector<Case> ways{Case{}};
-    for (const int t : c.targets) {
+    for (const ItemId t : c.targets) {
       Formula one;
       add_against(one, c.model, t, states_with_back_to(c.item(t), wall), wall, gap);
       std::vector<Case> more;
@@ -183,10 +183,10 @@ void compile_CenteredOnWall(Compilation& c) {
     }
     // …and the middle of their common extent the wall's: one of them is the lowest and one the highest.
     for (const Case& way : ways) {
-      for (const int low : c.targets) {
-        for (const int high : c.targets) {
+      for (const ItemId low : c.targets) {
+        for (const ItemId high : c.targets) {
           Case in = way;
-          for (const int t : c.targets) {
+          for (const ItemId t : c.targets) {
             if (t != low) in.require(lo(t, wall.along) - lo(low, wall.along));
             if (t != high) in.require(hi(high, wall.along) - hi(t, wall.along));
           }
@@ -206,7 +206,7 @@ void compile_InRegion(Compilation& c) {
   }
   const RoomRegion region = *c.relation.parameters.region;
   const bool middle = region == RoomRegion::kMiddle;
-  for (const int t : c.targets) {
+  for (const ItemId t : c.targets) {
     Case& in = c.formula().add();
     for (int axis = 0; axis < 2; ++axis) {
       const std::int64_t low = c.model.room.lo[axis], high = c.model.room.hi[axis], span = high - low;
@@ -226,7 +226,7 @@ void compile_InRegion(Compilation& c) {
 }
 
 void compile_OnWall(Compilation& c) {
-  for (const int t : c.targets) {
+  for (const ItemId t : c.targets) {
     const Item& item = c.item(t);
     const auto hangs = [](const SupportOption& s) { return s.kind == SupportOption::Kind::kWall; };
     Formula& f = c.formula();
@@ -241,12 +241,12 @@ void compile_OnWall(Compilation& c) {
 }
 
 void compile_OnCeiling(Compilation& c) {
-  for (const int t : c.targets) c.formula().add().require_small(hi(t, 2) - Linear(c.model.room.hi[2]), 0);
+  for (const ItemId t : c.targets) c.formula().add().require_small(hi(t, 2) - Linear(c.model.room.hi[2]), 0);
 }
 
 void compile_AwayFromWall(Compilation& c) {
   const Mm least = c.length(&RelationParameters::min);
-  for (const int t : c.targets) {
+  for (const ItemId t : c.targets) {
     for (const WallId w : c.walls()) {
       const RoomWall& wall = c.model.walls[w];
       if (!wall.straight) {

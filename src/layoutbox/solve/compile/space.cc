@@ -7,7 +7,7 @@ namespace layoutbox::placement {
 namespace {
 
 // The scene says that the other stands at t: a chair under its desk.
-bool belongs_to(const PlacementModel& model, int other, int t) {
+bool belongs_to(const PlacementModel& model, ItemId other, ItemId t) {
   const auto has = [](const std::vector<std::string>& ids, const std::string& id) {
     return std::find(ids.begin(), ids.end(), id) != ids.end();
   };
@@ -16,7 +16,7 @@ bool belongs_to(const PlacementModel& model, int other, int t) {
   });
 }
 
-bool may_rest_on(const Item& item, int host) {
+bool may_rest_on(const Item& item, ItemId host) {
   return std::any_of(item.supports.begin(), item.supports.end(),
                      [&](const SupportOption& s) { return s.kind == SupportOption::Kind::kItem && s.item == host; });
 }
@@ -24,7 +24,7 @@ bool may_rest_on(const Item& item, int host) {
 constexpr Mm kStandingRoom = 2000;
 
 // The floor beyond one side of t, in the states given.
-void add_free_floor(Compilation& c, int t, Side side, Mm depth, std::uint64_t in_states) {
+void add_free_floor(Compilation& c, ItemId t, Side side, Mm depth, std::uint64_t in_states) {
   const Item& item = c.item(t);
   // The strip as edges: from the side outward, as wide as the side.
   const auto each_strip = [&](Formula& f, const std::function<void(const Case&, Direction)>& add) {
@@ -62,8 +62,7 @@ void add_free_floor(Compilation& c, int t, Side side, Mm depth, std::uint64_t in
     for (int axis = 0; axis < 3; ++axis) wall.lo[axis] = outside.lo[axis], wall.hi[axis] = outside.hi[axis];
     keep_off(wall, false);
   }
-  for (std::size_t o = 0; o < c.model.items.size(); ++o) {
-    const int other = static_cast<int>(o);
+  for (const ItemId other : c.model.items.ids()) {
     const Item& body = c.item(other);
     if (other == t || body.is_opening() || body.thin || belongs_to(c.model, other, t)) continue;
     keep_off(place_of(other), true);
@@ -75,7 +74,7 @@ void add_free_floor(Compilation& c, int t, Side side, Mm depth, std::uint64_t in
 
 void compile_Clearance(Compilation& c) {
   const Side named = or_default(c.relation, &RelationParameters::side);
-  for (const int t : c.targets) {
+  for (const ItemId t : c.targets) {
     const Item& item = c.item(t);
     for (const Side side : {Side::kFront, Side::kBack, Side::kLeft, Side::kRight}) {
       const std::uint64_t states = states_where(item, side, named);
@@ -89,13 +88,13 @@ void compile_Clearance(Compilation& c) {
 
 // Not linear: looked at on each layout (cost.h).
 void compile_Reachable(Compilation& c) {
-  for (const int t : c.targets) c.out.reach.emplace_back(t, c.length(&RelationParameters::width));
+  for (const ItemId t : c.targets) c.out.reach.emplace_back(t, c.length(&RelationParameters::width));
 }
 
 void compile_KeepClear(Compilation& c) {
   const std::optional<RoomRegion>& region = c.relation.parameters.region;
   bool openings = false;
-  for (const int t : c.targets) {
+  for (const ItemId t : c.targets) {
     for (const Reference& r : c.references) {
       if (r.kind == Reference::Kind::kItem && c.item(r.item).is_opening()) {
         openings = true;

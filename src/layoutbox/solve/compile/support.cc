@@ -31,7 +31,7 @@ bool fits(const Item& t, Mm width, Mm depth) {
 int price_of_height(Mm z) { return std::abs(z - 900) / 25 + (z > 1700 ? 120 : 0); }
 
 // Between those edges; where it cannot be, its middle is. Needed is the middle alone.
-void add_over(Case& placing, Case& proving, int t, int axis, const Linear& low, const Linear& high, bool fits) {
+void add_over(Case& placing, Case& proving, ItemId t, int axis, const Linear& low, const Linear& high, bool fits) {
   proving.require(mid2(t, axis) - 2 * low).require(2 * high - mid2(t, axis));
   if (fits) {
     placing.require(lo(t, axis) - low).require(high - hi(t, axis));
@@ -40,7 +40,7 @@ void add_over(Case& placing, Case& proving, int t, int axis, const Linear& low, 
   }
 }
 
-void add_top(Formula& f, const PlacementModel& model, int t, int r) {
+void add_top(Formula& f, const PlacementModel& model, ItemId t, ItemId r) {
   const Item &item = model.items[t], &ref = model.items[r];
   Case c, outer;
   c.require_small(lo(t, 2) - hi(r, 2), 0);
@@ -59,7 +59,7 @@ void add_top(Formula& f, const PlacementModel& model, int t, int r) {
   f.add_outer() = std::move(outer);
 }
 
-void add_space(Formula& f, const PlacementModel& model, int t, int r, const ItemSpace& space, bool inside) {
+void add_space(Formula& f, const PlacementModel& model, ItemId t, ItemId r, const ItemSpace& space, bool inside) {
   const Item &item = model.items[t], &ref = model.items[r];
   Linear low[3], high[3];
   for (int axis = 0; axis < 3; ++axis) {
@@ -84,7 +84,7 @@ void add_space(Formula& f, const PlacementModel& model, int t, int r, const Item
 }
 
 // Hanging on something: against one of its sides, no higher than its top, off the floor.
-void add_hanging(Formula& f, const PlacementModel& model, int t, int r) {
+void add_hanging(Formula& f, const PlacementModel& model, ItemId t, ItemId r) {
   const Item& host = model.items[r];
   if (host.odd_states != 0) f.exact = false;  // on the sides of the box around it nothing hangs
   for (int axis = 0; axis < 2; ++axis) {
@@ -105,12 +105,12 @@ void add_hanging(Formula& f, const PlacementModel& model, int t, int r) {
 }
 
 // Items that relations say t stands on or in.
-std::vector<int> hosts_named(const PlacementModel& model, int t) {
-  std::vector<int> hosts;
+std::vector<ItemId> hosts_named(const PlacementModel& model, ItemId t) {
+  std::vector<ItemId> hosts;
   const auto add = [&](std::string_view id) {
-    const int host = model.find_item(id);
-    if (host >= 0 && model.items[host].is_opening() && model.items[host].opening->type != OpeningType::kWindow) return;  // no sill
-    if (host >= 0 && host != t && std::find(hosts.begin(), hosts.end(), host) == hosts.end()) hosts.push_back(host);
+    const ItemId host = model.find_item(id);
+    if (host.exists() && model.items[host].is_opening() && model.items[host].opening->type != OpeningType::kWindow) return;  // no sill
+    if (host.exists() && host != t && std::find(hosts.begin(), hosts.end(), host) == hosts.end()) hosts.push_back(host);
   };
   for (const Relation& relation : model.scene->relations) {
     const auto at = std::find(relation.targets.begin(), relation.targets.end(), model.items[t].id);
@@ -129,7 +129,7 @@ std::vector<int> hosts_named(const PlacementModel& model, int t) {
 }
 
 // What is under a bench with compartments down to the floor is in one of these.
-void add_compartments_above(Formula& f, const PlacementModel& model, int t, int r) {
+void add_compartments_above(Formula& f, const PlacementModel& model, ItemId t, ItemId r) {
   const Item& ref = model.items[r];
   if (ref.is_opening() || ref.states.empty()) return;
   for (const ItemSpace& s : ref.spaces) {
@@ -139,23 +139,23 @@ void add_compartments_above(Formula& f, const PlacementModel& model, int t, int 
 }
 
 // Items that relations say t is under.
-std::vector<int> covers_named(const PlacementModel& model, int t) {
-  std::vector<int> covers;
+std::vector<ItemId> covers_named(const PlacementModel& model, ItemId t) {
+  std::vector<ItemId> covers;
   for (const Relation& relation : model.scene->relations) {
     const auto& targets = relation.targets;
     if (relation.type != RelationType::kUnder || std::find(targets.begin(), targets.end(), model.items[t].id) == targets.end()) continue;
     for (const std::string& id : relation.references) {
-      if (const int r = model.find_item(id); r >= 0 && r != t) covers.push_back(r);
+      if (const ItemId r = model.find_item(id); r.exists() && r != t) covers.push_back(r);
     }
   }
   return covers;
 }
 
-std::vector<int> usual_hosts(const PlacementModel& model, int t) {
-  std::vector<int> hosts;
+std::vector<ItemId> usual_hosts(const PlacementModel& model, ItemId t) {
+  std::vector<ItemId> hosts;
   for (const std::string& kind : model.items[t].entry->stands_on) {
-    for (std::size_t i = 0; i < model.items.size(); ++i) {
-      if (static_cast<int>(i) != t && model.is_a(static_cast<int>(i), kind)) hosts.push_back(static_cast<int>(i));
+    for (const ItemId i : model.items.ids()) {
+      if (i != t && model.is_a(i, kind)) hosts.push_back(i);
     }
   }
   return hosts;
@@ -192,7 +192,7 @@ bool rests_by_way_of_others(const SceneGraph& scene, const std::string& id, cons
   return rests_said(scene, id, holder, 0);
 }
 
-void add_resting(Formula& f, const PlacementModel& model, int t, int r, const std::string& space, Resting how) {
+void add_resting(Formula& f, const PlacementModel& model, ItemId t, ItemId r, const std::string& space, Resting how) {
   const Item& ref = model.items[r];
   if (model.items[t].mount == Mount::kHung && how == Resting::kOn) {
     add_hanging(f, model, t, r);
@@ -213,7 +213,7 @@ void add_resting(Formula& f, const PlacementModel& model, int t, int r, const st
   if (how == Resting::kOn && open_place && !ref.entry->top_carries) f.cases.back().price += kUnlikelyTop;
 }
 
-void add_on_sill(Formula& f, const PlacementModel& model, int t, int window) {
+void add_on_sill(Formula& f, const PlacementModel& model, ItemId t, ItemId window) {
   const Item& item = model.items[window];
   for_each_turn(item, [&](int turn, std::uint64_t states) {
     const Direction in = side_direction(item, Side::kFront, turn);
@@ -227,7 +227,7 @@ void add_on_sill(Formula& f, const PlacementModel& model, int t, int window) {
   });
 }
 
-Constraint compile_support(PlacementModel& model, int t) {
+Constraint compile_support(PlacementModel& model, ItemId t) {
   Item& item = model.items[t];
   Constraint out;
   out.name = "support of " + item.id;
@@ -244,12 +244,12 @@ Constraint compile_support(PlacementModel& model, int t) {
     outer_before = f.outer.size();
   };
   using Kind = SupportOption::Kind;
-  std::vector<int> hosts = hosts_named(model, t);
-  const bool on_rug_only = !hosts.empty() && std::all_of(hosts.begin(), hosts.end(), [&](int h) { return model.items[h].thin; });
+  std::vector<ItemId> hosts = hosts_named(model, t);
+  const bool on_rug_only = !hosts.empty() && std::all_of(hosts.begin(), hosts.end(), [&](ItemId h) { return model.items[h].thin; });
   if (on_rug_only) hosts.clear();
   const bool named = !hosts.empty();
   if (!named && (item.mount == Mount::kSurface || item.mount == Mount::kHung)) hosts = usual_hosts(model, t);
-  for (const int host : hosts) {
+  for (const ItemId host : hosts) {
     if (model.items[host].thin) continue;
     if (model.items[host].is_opening()) {
       add_on_sill(f, model, t, host);
@@ -263,7 +263,7 @@ Constraint compile_support(PlacementModel& model, int t) {
     add_resting(f, model, t, host, "", item.mount == Mount::kHung ? Resting::kIn : Resting::kTop);
     note({Kind::kItem, host, {}, true}, 400);
   }
-  for (const int cover : covers_named(model, t)) {
+  for (const ItemId cover : covers_named(model, t)) {
     const std::size_t known = f.cases.size();
     add_compartments_above(f, model, t, cover);
     if (f.cases.size() > known) note({Kind::kItem, cover, {}, true}, 0);
@@ -273,14 +273,14 @@ Constraint compile_support(PlacementModel& model, int t) {
     if (mount == Mount::kWall) {
       for (const WallId w : model.walls.ids()) {
         add_against(f, model, t, states_with_back_to(item, model.walls[w]), model.walls[w], 0, true);
-        note({Kind::kWall, -1, w, false}, price);
+        note({Kind::kWall, {}, w, false}, price);
       }
     } else if (mount == Mount::kCeiling) {
       f.add().require_small(hi(t, 2) - Linear(model.room.hi[2]), 0);
-      note({Kind::kCeiling, -1, {}, false}, price);
+      note({Kind::kCeiling, {}, {}, false}, price);
     } else {
       f.add().require_small(lo(t, 2) - Linear(model.room.lo[2]), 0);
-      note({Kind::kFloor, -1, {}, false}, price);
+      note({Kind::kFloor, {}, {}, false}, price);
     }
   };
   add_mount(item.mount, otherwise);

@@ -35,7 +35,7 @@ std::vector<std::vector<std::size_t>> pairings(std::size_t n) {
 // The pairs of one way lie as mirror images about the middle of a place, so far off at most.
 Case mirrored(const Compilation& c, Case in, const std::vector<std::size_t>& partner, const Place& place, int axis, Mm off) {
   for (std::size_t i = 0; i < partner.size(); ++i) {
-    const int a = c.targets[i], b = c.targets[partner[i]];
+    const ItemId a = c.targets[i], b = c.targets[partner[i]];
     if (partner[i] < i) continue;
     in.require_small(mid2(a, axis) + mid2(b, axis) - 2 * (place.lo[axis] + place.hi[axis]), off);
     if (a != b) in.require_small(mid2(a, 1 - axis) - mid2(b, 1 - axis), off);

@@ -39,7 +39,7 @@ bool Solver::search_without_assumptions() {
   if (assumptions.empty()) return false;
   Scope less = scope_;
   for (const ConstraintId c : assumptions) less.given_up[c] = 1;
-  const std::vector<int> failed = failed_;
+  const std::vector<ItemId> failed = failed_;
   const bool found = search(less);
   failed_ = failed;
   return found;
@@ -47,9 +47,9 @@ bool Solver::search_without_assumptions() {
 
 // By the layout at hand.
 bool Solver::is_missed(ConstraintId constraint) const {
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+  for (const ItemId i : model_.items.ids()) {
     if (model_.items[i].is_opening() && model_.items[i].clearance_constraint == constraint)
-      return placements_[i].state >= 0 && intrusion_of(model_, static_cast<int>(i), placements_) != 0;
+      return placements_[i].state >= 0 && intrusion_of(model_, i, placements_) != 0;
   }
   return miss_of(model_, model_.constraints[constraint], placements_) != 0;
 }
@@ -82,24 +82,24 @@ Status Solver::yield_assumptions(bool found) {
 }
 
 // Objects that nobody asked for, where all the rest finds its place without them.
-std::vector<int> Solver::extras_in_the_way() {
-  std::vector<int> extras;
+std::vector<ItemId> Solver::extras_in_the_way() {
+  std::vector<ItemId> extras;
   std::vector<std::string> ids;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+  for (const ItemId i : model_.items.ids()) {
     const Item& item = model_.items[i];
     if (item.is_opening() || item.fixed || item.locked || item.object->asked()) continue;
-    extras.push_back(static_cast<int>(i));
+    extras.push_back(i);
     ids.push_back(item.id);
   }
   if (extras.empty() || unplaced_without(ids) > 0) return {};
   return least_missed_first(model_, std::move(extras));
 }
 
-bool Solver::is_asked(int item) const { return model_.items[item].is_opening() || model_.items[item].object->asked(); }
+bool Solver::is_asked(ItemId item) const { return model_.items[item].is_opening() || model_.items[item].object->asked(); }
 
 // Too much for the floor as long as that before doors and windows stays free, and nobody's words ask for that: it does not where all that
 // was asked for finds a place on it. Where it is too little even so, an object has to go, and then the rest leaves the floor free.
-bool Solver::floor_gives_way(const Clash& clash, const std::vector<int>& objects) {
+bool Solver::floor_gives_way(const Clash& clash, const std::vector<ItemId>& objects) {
   const auto is_floor = [](const Demand& d) { return !d.is_item(); };
   if (asked_things_went() || !is_asked(objects.front()) || std::none_of(clash.demands.begin(), clash.demands.end(), is_floor)) return false;
   return search_without(Firmness::kImplied);

@@ -33,25 +33,25 @@ void add_never(const PlacementModel& model, const Scope& scope, std::vector<Clas
 }
 
 void add_too_large(const PlacementModel& model, const Scope& scope, std::vector<Clash>& out) {
-  for (std::size_t i = 0; i < model.items.size(); ++i) {
+  for (const ItemId i : model.items.ids()) {
     const Item& item = model.items[i];
-    if (item.is_opening() || item.fixed || scope.leaves_out(static_cast<int>(i))) continue;
+    if (item.is_opening() || item.fixed || scope.leaves_out(i)) continue;
     const auto fits = [&](const State& s) {
       return s.extent[0] <= model.room.extent(0) && s.extent[1] <= model.room.extent(1) && s.extent[2] <= model.room.extent(2);
     };
     if (std::any_of(item.states.begin(), item.states.end(), fits)) continue;
     Clash clash;
-    clash.demands.push_back(Demand::of_item(static_cast<int>(i)));
-    clash.sentence = fmt::format("{} measures at least {} and does not fit into the room, which measures {}",
-                                 object_in_words(model, static_cast<int>(i)), sizes_in_words(item), room_in_words(model));
+    clash.demands.push_back(Demand::of_item(i));
+    clash.sentence = fmt::format("{} measures at least {} and does not fit into the room, which measures {}", object_in_words(model, i),
+                                 sizes_in_words(item), room_in_words(model));
     out.push_back(std::move(clash));
   }
 }
 
 // Do these things surely fit into the room side by side, wherever they please? Steinberg's theorem on packing rectangles.
-bool surely_fit(const PlacementModel& model, const std::vector<int>& items) {
+bool surely_fit(const PlacementModel& model, const std::vector<ItemId>& items) {
   std::int64_t widest = 0, deepest = 0, area = 0;
-  for (const int i : items) {
+  for (const ItemId i : items) {
     const State& state = model.items[i].states[0];
     widest = std::max<std::int64_t>(widest, state.extent[0]), deepest = std::max<std::int64_t>(deepest, state.extent[1]);
     area += std::int64_t{state.extent[0]} * state.extent[1];
@@ -63,7 +63,7 @@ bool surely_fit(const PlacementModel& model, const std::vector<int>& items) {
 
 // What stands with its back to one wall because of a relation.
 struct AtWall {
-  int item;
+  ItemId item;
   ConstraintId constraint;
   Mm width;  // the least
 };
@@ -85,8 +85,8 @@ std::vector<AtWall> things_at_wall(const PlacementModel& model, WallId wall, con
     const Relation* relation = puts_at_wall(model, c, wall, scope);
     if (relation == nullptr) continue;
     for (const std::string& id : relation->targets) {
-      const int item = model.find_item(id);
-      if (item < 0 || scope.leaves_out(item) || !covers_floor(model.items[item]) || !model.items[item].has_front) continue;
+      const ItemId item = model.find_item(id);
+      if (!item.exists() || scope.leaves_out(item) || !covers_floor(model.items[item]) || !model.items[item].has_front) continue;
       const bool known = std::any_of(things.begin(), things.end(), [&](const AtWall& one) { return one.item == item; });
       if (!known) things.push_back({item, c, least_width(model.items[item])});
     }
@@ -98,7 +98,7 @@ std::vector<AtWall> things_at_wall(const PlacementModel& model, WallId wall, con
 Clash too_wide(const PlacementModel& model, const RoomWall& wall, const std::vector<AtWall>& things) {
   Clash clash;
   std::vector<std::string> words;
-  std::vector<int> items;
+  std::vector<ItemId> items;
   for (const AtWall& one : things) items.push_back(one.item);
   clash.minimal = surely_fit(model, items);  // else the room may be too small for them whatever the wall
   for (const AtWall& one : things) {
@@ -131,8 +131,8 @@ void add_too_wide(const PlacementModel& model, const Scope& scope, std::vector<C
 }
 
 // Of things that may stand under one another only the larger counts: what is left surely covers its outline alone.
-void keep_apart(const PlacementModel& model, std::vector<std::pair<std::int64_t, int>>& areas) {
-  std::vector<std::pair<std::int64_t, int>> apart;
+void keep_apart(const PlacementModel& model, std::vector<std::pair<std::int64_t, ItemId>>& areas) {
+  std::vector<std::pair<std::int64_t, ItemId>> apart;
   for (const auto& one : areas) {
     const auto shares = [&](const auto& other) { return model.pair(one.second, other.second) == PairRule::kSolids; };
     if (std::none_of(apart.begin(), apart.end(), shares)) apart.push_back(one);
@@ -141,9 +141,9 @@ void keep_apart(const PlacementModel& model, std::vector<std::pair<std::int64_t,
 }
 
 void add_too_much(const PlacementModel& model, const Scope& scope, std::vector<Clash>& out) {
-  std::vector<std::pair<std::int64_t, int>> areas;
+  std::vector<std::pair<std::int64_t, ItemId>> areas;
   const FloorSum floor = floor_sum(model, scope);
-  for (const int i : floor.items) {
+  for (const ItemId i : floor.items) {
     if (!model.items[i].fixed) areas.push_back({least_area(model.items[i]), i});
   }
   std::stable_sort(areas.begin(), areas.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
@@ -152,12 +152,12 @@ void add_too_much(const PlacementModel& model, const Scope& scope, std::vector<C
   // In a rectangular room what is free before a door lies within the room wherever in its walls the door is.
   const bool rectangular = model.outside.empty();
   std::int64_t sum = 0, before_door = rectangular ? floor.before_door : 0;
-  int door = rectangular ? floor.door : -1;
+  ItemId door = rectangular ? floor.door : ItemId();
   Clash clash;
-  std::vector<int> items;
+  std::vector<ItemId> items;
   const std::int64_t all =
       std::accumulate(areas.begin(), areas.end(), std::int64_t{0}, [](std::int64_t s, const auto& a) { return s + a.first; });
-  if (all > room) door = -1, before_door = 0;
+  if (all > room) door = {}, before_door = 0;
   for (const auto& [area, item] : areas) {
     if (sum + before_door > room) break;
     sum += area;
@@ -167,7 +167,7 @@ void add_too_much(const PlacementModel& model, const Scope& scope, std::vector<C
   if (sum + before_door <= room) return;
   clash.minimal = false;  // by the sum alone: it says nothing of how the rest would fit
   std::string door_words;
-  if (door >= 0) {
+  if (door.exists()) {
     clash.demands.push_back(Demand::of_item(door));
     clash.demands.push_back(Demand::of(model.items[door].clearance_constraint));
     door_words = fmt::format(", {} keeps {:.2f} m² free before it", object_in_words(model, door), static_cast<double>(before_door) / 1e6);

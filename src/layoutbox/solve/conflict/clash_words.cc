@@ -68,7 +68,7 @@ std::string plural_of(const std::string& name) {
 }
 
 std::string reference_in_words(const PlacementModel& model, const std::string& id) {
-  if (const int item = model.find_item(id); item >= 0) return object_in_words(model, item);
+  if (const ItemId item = model.find_item(id); item.exists()) return object_in_words(model, item);
   if (const WallId wall = model.find_wall(id); wall.exists()) return wall_in_words(model.walls[wall], model.walls.size() == 4);
   return "the " + id;
 }
@@ -98,38 +98,37 @@ void make_plural(std::string& sentence) {
 }
 
 std::string clearance_in_words(const PlacementModel& model, const Constraint& constraint) {
-  for (std::size_t i = 0; i < model.items.size(); ++i) {
+  for (const ItemId i : model.items.ids()) {
     const Item& item = model.items[i];
     if (!item.is_opening() || constraint.name != model.constraints[item.clearance_constraint].name) continue;
-    return fmt::format("the floor before {} stays free ({} deep)", object_in_words(model, static_cast<int>(i)),
-                       metres(clear_depth(*item.opening)));
+    return fmt::format("the floor before {} stays free ({} deep)", object_in_words(model, i), metres(clear_depth(*item.opening)));
   }
   return constraint.name;
 }
 
 }  // namespace
 
-std::string object_in_words(const PlacementModel& model, int index) {
+std::string object_in_words(const PlacementModel& model, ItemId index) {
   const std::string name = name_of_item(model.items[index]);
   int rank = 0, count = 0;
-  for (std::size_t i = 0; i < model.items.size(); ++i) {
+  for (const ItemId i : model.items.ids()) {
     if (name_of_item(model.items[i]) != name) continue;
     ++count;
-    if (static_cast<int>(i) <= index) ++rank;
+    if (i <= index) ++rank;
   }
   const std::string words = spaced(name);
   return count > 1 ? fmt::format("the {} {}", words, rank) : "the " + words;
 }
 
-std::string things_in_words(const PlacementModel& model, const std::vector<int>& items) {
+std::string things_in_words(const PlacementModel& model, const std::vector<ItemId>& items) {
   std::vector<std::string> words;
   std::vector<std::string> done;
-  for (const int item : items) {
+  for (const ItemId item : items) {
     const std::string name = name_of_item(model.items[item]);
     if (std::find(done.begin(), done.end(), name) != done.end()) continue;
     done.push_back(name);
     const auto of_name = [&](const Item& i) { return name_of_item(i) == name; };
-    const auto here = std::count_if(items.begin(), items.end(), [&](int i) { return of_name(model.items[i]); });
+    const auto here = std::count_if(items.begin(), items.end(), [&](ItemId i) { return of_name(model.items[i]); });
     const auto all = std::count_if(model.items.begin(), model.items.end(), of_name);
     if (here == 1) {
       words.push_back(object_in_words(model, item));

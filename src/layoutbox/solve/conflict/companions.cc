@@ -60,8 +60,8 @@ std::vector<std::string> companions_left_alone(const SceneGraph& scene, const Ca
   return alone;
 }
 
-bool Solver::is_companion(int item) const {
-  const Item& one = model_.items[static_cast<std::size_t>(item)];
+bool Solver::is_companion(ItemId item) const {
+  const Item& one = model_.items[item];
   return !one.is_opening() && !one.fixed && !one.locked && came(*one.object);
 }
 
@@ -86,10 +86,10 @@ Status Solver::leave_out_companions(std::vector<std::string> ids) {
   return rebuild();
 }
 
-std::vector<int> Solver::companions() const {
-  std::vector<int> items;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    if (is_companion(static_cast<int>(i))) items.push_back(static_cast<int>(i));
+std::vector<ItemId> Solver::companions() const {
+  std::vector<ItemId> items;
+  for (const ItemId i : model_.items.ids()) {
+    if (is_companion(i)) items.push_back(i);
   }
   return items;
 }
@@ -98,14 +98,14 @@ std::vector<int> Solver::companions() const {
 Result<bool> Solver::companions_make_way() {
   if (made_way_ || companions().empty()) return false;
   made_way_ = true;
-  for (const int item : companions()) note_left_out(item, "nobody asked for it, and what was asked for leaves no room for it");
+  for (const ItemId item : companions()) note_left_out(item, "nobody asked for it, and what was asked for leaves no room for it");
   LAYOUTBOX_CHECK(rebuild());
   return true;
 }
 
 // Where one of these, which are to be left out, is dearer than companions are.
-Result<bool> Solver::companions_make_way_for(const std::vector<int>& items) {
-  const auto is_dearer = [&](int i) { return model_.items[static_cast<std::size_t>(i)].object->origin < Origin::kAdded; };
+Result<bool> Solver::companions_make_way_for(const std::vector<ItemId>& items) {
+  const auto is_dearer = [&](ItemId i) { return model_.items[i].object->origin < Origin::kAdded; };
   return std::ranges::any_of(items, is_dearer) ? companions_make_way() : Result<bool>(false);
 }
 
@@ -113,15 +113,15 @@ Result<bool> Solver::companions_make_way_for(const std::vector<int>& items) {
 bool Solver::companions_are_in_the_way() {
   if (made_way_) return false;
   std::vector<std::string> ids;
-  for (const int item : companions()) ids.push_back(model_.items[static_cast<std::size_t>(item)].id);
+  for (const ItemId item : companions()) ids.push_back(model_.items[item].id);
   return !ids.empty() && unplaced_without(ids) == 0;
 }
 
 // What came with things that are left out goes with them.
 void Solver::leave_out_the_lonely() {
   for (const std::string& id : companions_left_alone(asked_, catalog_, left_out_ids_)) {
-    const int item = model_.find_item(id);
-    if (item >= 0 && is_companion(item)) note_left_out(item, "so is what it came with");
+    const ItemId item = model_.find_item(id);
+    if (item.exists() && is_companion(item)) note_left_out(item, "so is what it came with");
   }
 }
 

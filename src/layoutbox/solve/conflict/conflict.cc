@@ -47,7 +47,7 @@ class Shrinking {
  public:
   Shrinking(const PlacementModel& model, Encoding& encoding, const CpSatLibrary& library, const ProofLimits& limits, double& used)
       : encoding_(encoding), library_(library), limits_(limits), used_(used), spoken_of_(encoding.demands().size()) {
-    std::vector<int> demand_of(model.items.size(), -1);
+    ById<ItemId, int> demand_of(model.items.size(), -1);
     for (std::size_t d = 0; d < encoding.demands().size(); ++d) {
       if (encoding.demands()[d].is_item()) demand_of[encoding.demands()[d].item] = static_cast<int>(d);
     }
@@ -56,7 +56,7 @@ class Shrinking {
       if (demand.is_item()) continue;
       const Constraint& constraint = model.constraints[demand.constraint];
       for (const Formula& formula : constraint.formulas) {
-        for (const int item : formula.items) {
+        for (const ItemId item : formula.items) {
           if (demand_of[item] >= 0) spoken_of_[d].push_back(static_cast<std::size_t>(demand_of[item]));
         }
       }
@@ -64,7 +64,7 @@ class Shrinking {
       const Relation& relation = model.relation(constraint.relation);
       for (const auto* ids : {&relation.targets, &relation.references}) {
         for (const std::string& id : *ids) {
-          if (const int item = model.find_item(id); item >= 0 && demand_of[item] >= 0)
+          if (const ItemId item = model.find_item(id); item.exists() && demand_of[item] >= 0)
             spoken_of_[d].push_back(static_cast<std::size_t>(demand_of[item]));
         }
       }
@@ -146,8 +146,8 @@ class Shrinking {
 };
 
 // The items that some demands are about: those that must be there, and those of which the relations speak.
-std::vector<char> outside_of(const PlacementModel& model, const Encoding& encoding, const std::vector<std::size_t>& core) {
-  std::vector<char> out(model.items.size(), 1);
+ById<ItemId, char> outside_of(const PlacementModel& model, const Encoding& encoding, const std::vector<std::size_t>& core) {
+  ById<ItemId, char> out(model.items.size(), 1);
   const auto keep = [&](const std::vector<Case>& cases) {
     for (const Case& one : cases) {
       for (const StateLiteral& literal : one.states) out[literal.item] = 0;
@@ -163,14 +163,14 @@ std::vector<char> outside_of(const PlacementModel& model, const Encoding& encodi
       continue;
     }
     for (const Formula& formula : model.constraints[demand.constraint].formulas) keep(formula.exact ? formula.cases : formula.outer);
-    for (std::size_t i = 0; i < model.items.size(); ++i) {
+    for (const ItemId i : model.items.ids()) {
       if (model.items[i].clearance_constraint == demand.constraint) out[i] = 0;
     }
   }
   // And what could hold them up.
   for (bool more = true; more;) {
     more = false;
-    for (std::size_t i = 0; i < model.items.size(); ++i) {
+    for (const ItemId i : model.items.ids()) {
       if (out[i]) continue;
       for (const SupportOption& support : model.items[i].supports) {
         const bool item = support.kind == SupportOption::Kind::kItem || support.kind == SupportOption::Kind::kSill;
@@ -215,17 +215,17 @@ std::int64_t terms_of(const PlacementModel& model, const Scope& scope) {
   for (const ConstraintId c : model.constraints.ids()) {
     if (scope.gives_up(c) || model.constraints[c].firmness == Firmness::kSoft) continue;
     for (const Formula& formula : model.constraints[c].formulas) {
-      const auto out = [&](int item) { return scope.leaves_out(item); };
+      const auto out = [&](ItemId item) { return scope.leaves_out(item); };
       if (std::any_of(formula.items.begin(), formula.items.end(), out)) continue;
       for (const Case& one : formula.cases) {
         for (const Linear& form : one.at_least_zero) terms += static_cast<std::int64_t>(form.terms.size());
       }
     }
   }
-  for (std::size_t a = 0; a < model.items.size(); ++a) {
-    for (std::size_t b = a + 1; b < model.items.size(); ++b) {
-      const PairRule rule = model.pair(static_cast<int>(a), static_cast<int>(b));
-      if (scope.leaves_out(static_cast<int>(a)) || scope.leaves_out(static_cast<int>(b)) || rule == PairRule::kFree) continue;
+  for (const ItemId a : model.items.ids()) {
+    for (const ItemId b : model.items.ids_after(a)) {
+      const PairRule rule = model.pair(a, b);
+      if (scope.leaves_out(a) || scope.leaves_out(b) || rule == PairRule::kFree) continue;
       const Item &x = model.items[a], &y = model.items[b];
       if (x.states.empty() || y.states.empty()) continue;
       const auto states = static_cast<std::int64_t>(x.states.size() + y.states.size());

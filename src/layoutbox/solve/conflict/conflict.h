@@ -48,9 +48,9 @@ std::string describe_clash(const PlacementModel& model, const Clash& clash);
 // "1.20 m".
 std::string metres(Mm length);
 // "the bed", "the nightstand 2".
-std::string object_in_words(const PlacementModel& model, int item);
+std::string object_in_words(const PlacementModel& model, ItemId item);
 // "the 3 beds and 2 of the 3 desks".
-std::string things_in_words(const PlacementModel& model, const std::vector<int>& items);
+std::string things_in_words(const PlacementModel& model, const std::vector<ItemId>& items);
 // The relation's own sentence from the table, filled in.
 std::string relation_in_words(const PlacementModel& model, const Relation& relation);
 

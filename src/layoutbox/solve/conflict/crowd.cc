@@ -11,14 +11,14 @@ constexpr double kProofOfCrowd = 0.3;  // CP-SAT's deterministic time
 
 // The demands of a clash are all there is.
 Scope alone(const PlacementModel& model, const Clash& clash) {
-  Scope only{ById<ConstraintId, char>(model.constraints.size()), std::vector<char>(model.items.size(), 1)};
+  Scope only{ById<ConstraintId, char>(model.constraints.size()), ById<ItemId, char>(model.items.size(), 1)};
   for (const ConstraintId c : only.given_up.ids()) {
     const Firmness firmness = model.constraints[c].firmness;
     only.given_up[c] = static_cast<char>(firmness == Firmness::kHard || firmness == Firmness::kImplied);
   }
   for (const Demand& demand : clash.demands) {
     if (demand.is_item()) {
-      only.left_out[static_cast<std::size_t>(demand.item)] = 0;
+      only.left_out[demand.item] = 0;
     } else {
       only.given_up[demand.constraint] = 0;
     }
@@ -35,10 +35,10 @@ bool Solver::each_is_needed(const Clash& clash) {
   return std::all_of(clash.demands.begin(), clash.demands.end(), [&](const Demand& demand) {
     Scope rest = all;
     if (demand.is_item()) {
-      const auto index = static_cast<std::size_t>(demand.item);
-      rest.left_out[index] = 1;
+      rest.left_out[demand.item] = 1;
       // Without the door there is no floor to be free before it.
-      if (model_.items[index].is_opening()) rest.given_up[model_.items[index].clearance_constraint] = 1;
+      const Item& item = model_.items[demand.item];
+      if (item.is_opening()) rest.given_up[item.clearance_constraint] = 1;
     } else {
       rest.given_up[demand.constraint] = 1;
     }

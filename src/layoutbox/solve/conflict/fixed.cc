@@ -7,9 +7,9 @@ namespace {
 
 constexpr Mm kAllowed = 5;  // rooms that somebody measured are no more exact than that
 
-Clash clash_of(std::vector<int> items, std::string sentence) {
+Clash clash_of(std::vector<ItemId> items, std::string sentence) {
   Clash clash;
-  for (const int item : items) clash.demands.push_back(Demand::of_item(item));
+  for (const ItemId item : items) clash.demands.push_back(Demand::of_item(item));
   clash.sentence = std::move(sentence);
   return clash;
 }
@@ -26,14 +26,14 @@ Mm depth_of(const GridBox& shared) { return std::min({shared.extent(0), shared.e
 
 // Nothing but what is fixed itself takes part: else it may be held by something that is still to be placed.
 bool is_settled(const PlacementModel& model, const Case& one) {
-  const auto fixed = [&](int item) { return model.items[item].fixed; };
+  const auto fixed = [&](ItemId item) { return model.items[item].fixed; };
   return std::all_of(one.states.begin(), one.states.end(), [&](const StateLiteral& l) { return fixed(l.item); }) &&
          std::all_of(one.at_least_zero.begin(), one.at_least_zero.end(), [&](const Linear& form) {
            return std::all_of(form.terms.begin(), form.terms.end(), [&](const Term& t) { return fixed(t.item); });
          });
 }
 
-bool hangs_in_the_air(const PlacementModel& model, int item, const Placements& placements) {
+bool hangs_in_the_air(const PlacementModel& model, ItemId item, const Placements& placements) {
   for (const Formula& formula : model.constraints[model.items[item].support_constraint].formulas) {
     const std::vector<Case>& cases = formula.outer.empty() ? formula.cases : formula.outer;
     if (!std::all_of(cases.begin(), cases.end(), [&](const Case& one) { return is_settled(model, one); })) continue;
@@ -48,15 +48,15 @@ bool hangs_in_the_air(const PlacementModel& model, int item, const Placements& p
 
 std::vector<Clash> clashes_of_fixed(const PlacementModel& model, const Scope& scope) {
   std::vector<Clash> out;
-  std::vector<int> fixed;
+  std::vector<ItemId> fixed;
   Placements placements(model.items.size());
-  for (std::size_t i = 0; i < model.items.size(); ++i) {
+  for (const ItemId i : model.items.ids()) {
     const Item& item = model.items[i];
-    if (!item.fixed || item.is_opening() || scope.leaves_out(static_cast<int>(i))) continue;
+    if (!item.fixed || item.is_opening() || scope.leaves_out(i)) continue;
     placements[i] = {0, item.fixed_at};
-    fixed.push_back(static_cast<int>(i));
+    fixed.push_back(i);
   }
-  for (const int i : fixed) {
+  for (const ItemId i : fixed) {
     const GridBox box = box_of(model.items[i], placements[i]);
     const std::string who = object_in_words(model, i);
     const auto in_wall = [&](const GridBox& outside) { return overlap(outside, box) && depth_of(intersection(outside, box)) > kAllowed; };
@@ -68,8 +68,8 @@ std::vector<Clash> clashes_of_fixed(const PlacementModel& model, const Scope& sc
     } else if (hangs_in_the_air(model, i, placements)) {
       out.push_back(clash_of({i}, fmt::format("nothing holds {} up where it is fixed", who)));
     }
-    for (const int j : fixed) {
-      const auto askew = [&](int k) { return model.items[k].states[0].turn % 90 != 0; };
+    for (const ItemId j : fixed) {
+      const auto askew = [&](ItemId k) { return model.items[k].states[0].turn % 90 != 0; };
       if (j <= i || askew(i) || askew(j) || !collide(model, i, placements[i], j, placements[j], false)) continue;
       const GridBox shared = intersection(box, box_of(model.items[j], placements[j]));
       if (depth_of(shared) <= kAllowed) continue;

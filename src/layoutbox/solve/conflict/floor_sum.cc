@@ -20,12 +20,12 @@ std::int64_t room_area(const PlacementModel& model) {
 // Of doors that fit into the room.
 void add_widest_door(const PlacementModel& model, const Scope& scope, FloorSum& sum) {
   const Mm longest = std::min(model.room.extent(0), model.room.extent(1));
-  for (std::size_t i = 0; i < model.items.size(); ++i) {
+  for (const ItemId i : model.items.ids()) {
     const Item& item = model.items[i];
     if (!item.is_opening() || item.opening->type == OpeningType::kWindow || item.opening->sill > 0) continue;
     if (item.states.empty() || item.states[0].clear.empty() || scope.gives_up(item.clearance_constraint)) continue;
     const std::int64_t clear = floor_area(item.states[0].clear[0]);
-    if (item.opening->width <= longest && clear > sum.before_door) sum.before_door = clear, sum.door = static_cast<int>(i);
+    if (item.opening->width <= longest && clear > sum.before_door) sum.before_door = clear, sum.door = i;
   }
 }
 
@@ -46,8 +46,8 @@ FloorSum floor_sum(const PlacementModel& model, const Scope& scope) {
   FloorSum sum;
   sum.room = room_area(model);
   add_widest_door(model, scope, sum);
-  for (int i = 0; i < static_cast<int>(model.items.size()); ++i) {
-    const Item& item = model.items[static_cast<std::size_t>(i)];
+  for (const ItemId i : model.items.ids()) {
+    const Item& item = model.items[i];
     if (scope.leaves_out(i) || !covers_floor(item)) continue;
     sum.items.push_back(i);
     sum.covered += least_area(item);

@@ -11,9 +11,9 @@ namespace layoutbox::placement {
 
 // Areas in mm².
 struct FloorSum {
-  std::vector<int> items;  // that stand on the floor and can stand nowhere else
+  std::vector<ItemId> items;  // that stand on the floor and can stand nowhere else
   std::int64_t covered = 0;
-  int door = -1;  // the one that wants the most free floor before it, if any
+  ItemId door;  // the one that wants the most free floor before it, if any
   std::int64_t before_door = 0;
   std::int64_t room = 0;
 

@@ -36,7 +36,7 @@ Result<bool> Solver::give_up_unproven(bool loose, const Placements& loosely) {
     LAYOUTBOX_CHECK(yield_assumptions(loose));
     return loose && left_out_ids_.size() == before;  // where companions went, the rest is placed anew
   }
-  if (const std::vector<int> extras = extras_in_the_way(); !extras.empty()) {
+  if (const std::vector<ItemId> extras = extras_in_the_way(); !extras.empty()) {
     LAYOUTBOX_CHECK(leave_out_least(extras));
     return false;
   }
@@ -60,7 +60,7 @@ bool Solver::search_from_elsewhere() {
   if (searched_elsewhere_ || !model_.start.empty()) return false;
   searched_elsewhere_ = true;
   const Dependencies dependencies(model_);
-  const std::vector<int> failed = failed_;
+  const std::vector<ItemId> failed = failed_;
   const std::int64_t most = finding_.steps + finding_.limit / kShareOfOtherStarts;
   for (int start = 1; start <= kOtherStarts && finding_.steps < most && !enough(); ++start) {
     const int sizes = start % 2 == 0 || !any_other_size() ? 0 : kAllSizes;
@@ -140,7 +140,7 @@ bool Solver::search_without(Firmness firmness) {
   if (!demands_left(firmness)) return false;
   Scope less = scope_;
   for (const ConstraintId c : model_.constraints.ids()) less.given_up[c] |= model_.constraints[c].firmness == firmness;
-  const std::vector<int> failed = failed_;
+  const std::vector<ItemId> failed = failed_;
   const bool found = search(less);
   failed_ = failed;
   return found;
@@ -150,19 +150,21 @@ bool Solver::search_without(Firmness firmness) {
 Clash Solver::guess() const {
   Clash clash;
   clash.proven = clash.minimal = false;
-  const auto asks = [&](int item) {
+  const auto asks = [&](ItemId item) {
     for (const ConstraintId c : model_.touching[item]) {
       if (model_.constraints[c].firmness == Firmness::kHard && !scope_.given_up[c]) clash.demands.push_back(Demand::of(c));
     }
   };
-  int item = -1;
-  for (const int failed : failed_) {  // the first that asks for something
+  ItemId item;
+  for (const ItemId failed : failed_) {  // the first that asks for something
     item = failed;
     asks(failed);
     if (!clash.demands.empty()) break;
   }
-  for (std::size_t i = 0; i < model_.items.size() && clash.demands.empty(); ++i) asks(item = static_cast<int>(i));
-  if (item < 0) return clash;
+  for (const ItemId i : model_.items.ids()) {
+    if (clash.demands.empty()) asks(item = i);
+  }
+  if (!item.exists()) return clash;
   clash.demands.push_back(Demand::of_item(item));
   clash.sentence = fmt::format("no place was found for {} where all that is asked of it holds", object_in_words(model_, item));
   return clash;
@@ -228,7 +230,7 @@ Result<bool> Solver::note_conflict(const Clash& clash, bool asked) {
 }
 
 Status Solver::give_up(const Clash& clash) {
-  const std::vector<int> objects = objects_to_blame(model_, clash);
+  const std::vector<ItemId> objects = objects_to_blame(model_, clash);
   LAYOUTBOX_ASSIGN(const bool made_way, companions_make_way_for(objects));
   if (made_way) return {};
   if (!objects.empty() && !floor_gives_way(clash, objects)) return leave_out_least(objects, &clash);
@@ -271,7 +273,7 @@ void Solver::soften(const std::string& name) {
 // The paper's way out: the scene's own positions, or a metre from the corner.
 void Solver::fall_back() {
   fallback_ = true;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+  for (const ItemId i : model_.items.ids()) {
     const Item& item = model_.items[i];
     if (item.is_opening()) continue;
     const auto& hint = item.object->hint;

@@ -10,17 +10,17 @@ constexpr std::int64_t kStepsAlone = 20'000;
 constexpr double kProofAlone = 0.01;  // CP-SAT's deterministic time
 
 // Everything but what the constraint speaks of and what could hold that up.
-std::vector<char> all_beside(const PlacementModel& model, const Constraint& constraint) {
-  std::vector<char> out(model.items.size(), 1);
-  std::vector<int> kept;
-  const auto keep = [&](int item) {
-    if (out[static_cast<std::size_t>(item)]) out[static_cast<std::size_t>(item)] = 0, kept.push_back(item);
+ById<ItemId, char> all_beside(const PlacementModel& model, const Constraint& constraint) {
+  ById<ItemId, char> out(model.items.size(), 1);
+  std::vector<ItemId> kept;
+  const auto keep = [&](ItemId item) {
+    if (out[item]) out[item] = 0, kept.push_back(item);
   };
   for (const Formula& formula : constraint.formulas) {
-    for (const int item : formula.items) keep(item);
+    for (const ItemId item : formula.items) keep(item);
   }
   for (std::size_t k = 0; k < kept.size(); ++k) {
-    for (const SupportOption& support : model.items[static_cast<std::size_t>(kept[k])].supports) {
+    for (const SupportOption& support : model.items[kept[k]].supports) {
       if (support.kind == SupportOption::Kind::kItem || support.kind == SupportOption::Kind::kSill) keep(support.item);
     }
   }

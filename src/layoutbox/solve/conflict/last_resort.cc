@@ -14,7 +14,7 @@ constexpr double kGrace = 0.15;  // seconds past the time limit for a search tha
 // Does one of the cases hold, of those that speak of nothing but what is placed?
 bool holds_of_placed(const PlacementModel& model, const Formula& formula, const Placements& placements) {
   return std::any_of(formula.cases.begin(), formula.cases.end(), [&](const Case& one) {
-    const auto there = [&](int item) { return placements[static_cast<std::size_t>(item)].state >= 0; };
+    const auto there = [&](ItemId item) { return placements[item].state >= 0; };
     const auto known = [&](const Linear& form) {
       return std::all_of(form.terms.begin(), form.terms.end(), [&](const Term& term) { return there(term.item); });
     };
@@ -32,7 +32,7 @@ bool holds_of_placed(const PlacementModel& model, const Formula& formula, const 
 void Solver::drop_what_hangs_in_the_air() {
   for (bool again = true; again;) {
     again = false;
-    for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    for (const ItemId i : model_.items.ids()) {
       if (placements_[i].state < 0 || model_.items[i].is_opening() || model_.items[i].fixed) continue;
       const auto& formulas = model_.constraints[model_.items[i].support_constraint].formulas;
       const bool held_up =
@@ -48,7 +48,7 @@ void Solver::drop_what_hangs_in_the_air() {
 void Solver::place_openings_first(const PlacementModel& trial, const Scope& scope) {
   Scope openings = scope;
   bool all = true;
-  for (std::size_t i = 0; i < trial.items.size(); ++i) {
+  for (const ItemId i : trial.items.ids()) {
     if (trial.items[i].is_opening())
       all = all && placements_[i].state >= 0;
     else
@@ -60,13 +60,12 @@ void Solver::place_openings_first(const PlacementModel& trial, const Scope& scop
   QuickSearch quick(trial, dependencies, openings, options_.seed, kAllSizes);
   Budget budget{0, kLeastSteps, [this] { return interrupted(); }, false};  // few things: no look at the clock, or there were no room
   quick.complete(now, budget);
-  for (std::size_t i = 0; i < trial.items.size(); ++i) {
+  for (const ItemId i : trial.items.ids()) {
     if (trial.items[i].is_opening() || placements_[i].state < 0) continue;
-    bool free = true;
-    for (std::size_t o = 0; o < trial.items.size() && free; ++o) {
-      free = !trial.items[o].is_opening() || now[o].state < 0 ||
-             !collide(trial, static_cast<int>(i), placements_[i], static_cast<int>(o), now[o], true);
-    }
+    const auto leaves_free = [&](ItemId o) {
+      return !trial.items[o].is_opening() || now[o].state < 0 || !collide(trial, i, placements_[i], o, now[o], true);
+    };
+    const bool free = std::ranges::all_of(trial.items.ids(), leaves_free);
     if (free) now[i] = placements_[i];
   }
   placements_ = std::move(now);
@@ -94,7 +93,7 @@ void Solver::place_what_fits(const PlacementModel& trial, const Scope& scope, st
 void Solver::let_companions_in(const PlacementModel& trial, const Scope& scope) {
   const auto placed = [&](const Placements& placements) {
     std::ptrdiff_t count = 0;
-    for (std::size_t i = 0; i < placements.size(); ++i) count += placements[i].state >= 0 && !is_companion(static_cast<int>(i));
+    for (const ItemId i : placements.ids()) count += placements[i].state >= 0 && !is_companion(i);
     return count;
   };
   const Placements without = placements_;
@@ -105,12 +104,12 @@ void Solver::let_companions_in(const PlacementModel& trial, const Scope& scope) 
   drop_what_hangs_in_the_air();
   if (placed(placements_) < placed(without)) placements_ = without;
   std::vector<std::string> gone = left_out_ids_;
-  for (std::size_t i = 0; i < placements_.size(); ++i) {
+  for (const ItemId i : placements_.ids()) {
     if (placements_[i].state < 0) gone.push_back(model_.items[i].id);
   }
   for (const std::string& id : companions_left_alone(asked_, catalog_, gone)) {
-    const int item = model_.find_item(id);
-    if (item >= 0 && is_companion(item)) placements_[static_cast<std::size_t>(item)] = {};
+    const ItemId item = model_.find_item(id);
+    if (item.exists() && is_companion(item)) placements_[item] = {};
   }
   drop_what_hangs_in_the_air();
 }
@@ -124,7 +123,7 @@ Status Solver::take_what_fits() {
   const double until = late ? seconds() + kGrace : options_.time_limit_s + kGrace;
   const Placements before = placements_;
   Scope first = whole;  // companions wait
-  for (const int item : companions()) first.left_out[static_cast<std::size_t>(item)] = 1;
+  for (const ItemId item : companions()) first.left_out[item] = 1;
   const std::ptrdiff_t all = std::ranges::count(first.left_out, 0);
   Placements best;
   std::ptrdiff_t most = -1;
@@ -143,27 +142,25 @@ Status Solver::take_what_fits() {
 
 // What found no place is left out, and what does not hold is given up. Errors: kNotFound where a door has no place.
 Status Solver::note_what_is_missing() {
-  std::vector<int> gone;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+  std::vector<ItemId> gone;
+  for (const ItemId i : model_.items.ids()) {
     if (placements_[i].state >= 0 || scope_.left_out[i]) continue;
-    if (model_.items[i].is_opening())
-      return fail(ErrorCode::kNotFound, "no place was found for " + object_in_words(model_, static_cast<int>(i)));
-    gone.push_back(static_cast<int>(i));
+    if (model_.items[i].is_opening()) return fail(ErrorCode::kNotFound, "no place was found for " + object_in_words(model_, i));
+    gone.push_back(i);
   }
   const std::string because = stopped_by_clock_ ? "no layout of all that is asked for was found before the time was up"
                                                 : "no layout was found in which all that is asked for holds together";
-  std::vector<int> dear;
-  std::ranges::copy_if(gone, std::back_inserter(dear), [&](int i) { return !is_companion(i); });
+  std::vector<ItemId> dear;
+  std::ranges::copy_if(gone, std::back_inserter(dear), [&](ItemId i) { return !is_companion(i); });
   Clash clash;
   clash.proven = clash.minimal = false;
   clash.sentence = too_little_floor(dear).value_or(because);
   bool asked = false;
-  for (const int item : gone) {
-    scope_.left_out[static_cast<std::size_t>(item)] = 1;
+  for (const ItemId item : gone) {
+    scope_.left_out[item] = 1;
     asked = asked || is_asked(item);
     if (!is_companion(item)) clash.demands.push_back(Demand::of_item(item));
-    reasons_.push_back(
-        {model_.items[static_cast<std::size_t>(item)].id, 0, "", object_in_words(model_, item) + " is left out: " + clash.sentence});
+    reasons_.push_back({model_.items[item].id, 0, "", object_in_words(model_, item) + " is left out: " + clash.sentence});
   }
   std::vector<std::string> missed;
   for (const ConstraintId c : model_.constraints.ids()) {

@@ -22,13 +22,13 @@ std::size_t Solver::unplaced_without(const std::vector<std::string>& ids) {
 
 // Leaves out the object (one of the items, of all where none are named) without which everything else finds a place; where one is not
 // enough, the one that helps most. Of equals the one that is missed least.
-Status Solver::leave_out_least(std::vector<int> items, const Clash* clash) {
+Status Solver::leave_out_least(std::vector<ItemId> items, const Clash* clash) {
   if (items.empty()) {
-    for (std::size_t i = 0; i < model_.items.size(); ++i) items.push_back(static_cast<int>(i));
+    for (const ItemId i : model_.items.ids()) items.push_back(i);
     items = least_missed_first(model_, std::move(items));
   }
   // What nobody asked for goes first, even where more than one of it has to: what finds a place after all comes back.
-  if (!items.empty() && !is_asked(items.front())) std::erase_if(items, [&](int i) { return is_asked(i); });
+  if (!items.empty() && !is_asked(items.front())) std::erase_if(items, [&](ItemId i) { return is_asked(i); });
   if (items.size() > kMostTrials) items.resize(kMostTrials);
   Clash found;
   if (clash != nullptr) {
@@ -44,14 +44,14 @@ Status Solver::leave_out_least(std::vector<int> items, const Clash* clash) {
     if (items.empty()) return fail(ErrorCode::kNotFound, "no layout was found, and nothing is left to give up");
     return leave_out(items.front(), conflicts_.back().conflict.sentence);
   }
-  int best = -1;
+  ItemId best;
   std::size_t least = std::numeric_limits<std::size_t>::max();
-  for (const int item : items) {
+  for (const ItemId item : items) {
     const std::size_t unplaced = items.size() == 1 ? 1 : unplaced_without({model_.items[item].id});
     if (unplaced < least) least = unplaced, best = item;
     if (least == 0 || enough()) break;
   }
-  if (best < 0) return fail(ErrorCode::kNotFound, "no layout was found, and nothing is left to give up");
+  if (!best.exists()) return fail(ErrorCode::kNotFound, "no layout was found, and nothing is left to give up");
   LAYOUTBOX_ASSIGN(const bool relaxing, note_conflict(found, is_asked(best)));
   return relaxing ? leave_out(best, conflicts_.back().conflict.sentence) : Status{};
 }
@@ -104,7 +104,7 @@ Result<bool> Solver::bring_back() {
 }
 
 // What its relations say, while that can still be said.
-void Solver::note_lost_by(int item) {
+void Solver::note_lost_by(ItemId item) {
   const std::string& id = model_.items[item].id;
   for (const Relation& relation : scene().relations) {
     const auto names = [&](const std::vector<std::string>& ids) { return std::find(ids.begin(), ids.end(), id) != ids.end(); };
@@ -113,14 +113,14 @@ void Solver::note_lost_by(int item) {
 }
 
 // It goes with the next rebuild().
-void Solver::note_left_out(int item, const std::string& why) {
+void Solver::note_left_out(ItemId item, const std::string& why) {
   note_lost_by(item);
   left_out_ids_.push_back(model_.items[item].id);
   reasons_.push_back({model_.items[item].id, 0, "", object_in_words(model_, item) + " is left out: " + why});
 }
 
 // The object goes; relations keep whom they still have.
-Status Solver::leave_out(int item, const std::string& why) {
+Status Solver::leave_out(ItemId item, const std::string& why) {
   note_left_out(item, why);
   return rebuild();
 }

@@ -7,7 +7,7 @@
 namespace layoutbox::placement {
 namespace {
 
-ConstraintId lock_of(const PlacementModel& model, int item) {
+ConstraintId lock_of(const PlacementModel& model, ItemId item) {
   for (const ConstraintId c : model.touching[item]) {
     if (model.constraints[c].words.empty() || model.constraints[c].firmness != Firmness::kHard) continue;
     if (model.constraints[c].name == "lock of " + model.items[item].id) return c;
@@ -20,24 +20,24 @@ ConstraintId lock_of(const PlacementModel& model, int item) {
 std::vector<Clash> clashes_of_locks(const PlacementModel& model, const Scope& scope) {
   std::vector<Clash> out;
   if (model.start.empty()) return out;
-  const auto at_of = [&](std::size_t i) {
+  const auto at_of = [&](ItemId i) {
     const Item& item = model.items[i];
     return item.fixed ? Placement{0, item.fixed_at} : model.start[i];
   };
-  const auto stays = [&](std::size_t i) {
+  const auto stays = [&](ItemId i) {
     const Item& item = model.items[i];
-    const ConstraintId lock = item.locked ? lock_of(model, static_cast<int>(i)) : ConstraintId();
-    return !item.is_opening() && !scope.leaves_out(static_cast<int>(i)) && (item.fixed || (lock.exists() && !scope.gives_up(lock)));
+    const ConstraintId lock = item.locked ? lock_of(model, i) : ConstraintId();
+    return !item.is_opening() && !scope.leaves_out(i) && (item.fixed || (lock.exists() && !scope.gives_up(lock)));
   };
-  const auto beyond_walls = [&](std::size_t i) {
+  const auto beyond_walls = [&](ItemId i) {
     Placements alone(model.items.size());
     alone[i] = at_of(i);
     return miss_of(model, model.constraints[model.items[i].within_constraint], alone) > 0;
   };
-  for (std::size_t i = 0; i < model.items.size(); ++i) {
+  for (const ItemId i : model.items.ids()) {
     if (!stays(i) || model.items[i].fixed) continue;
-    const Demand lock = Demand::of(lock_of(model, static_cast<int>(i)));
-    const std::string who = object_in_words(model, static_cast<int>(i));
+    const Demand lock = Demand::of(lock_of(model, i));
+    const std::string who = object_in_words(model, i);
     const GridBox box = box_of(model.items[i], at_of(i));
     const GridBox inside = intersection(box, model.room);
     const bool in_obstacle =
@@ -50,15 +50,15 @@ std::vector<Clash> clashes_of_locks(const PlacementModel& model, const Scope& sc
       out.push_back(std::move(clash));
       continue;
     }
-    for (std::size_t j = 0; j < model.items.size(); ++j) {
+    for (const ItemId j : model.items.ids()) {
       if (j == i || !stays(j) || (!model.items[j].fixed && j < i)) continue;
-      if (!collide(model, static_cast<int>(i), at_of(i), static_cast<int>(j), at_of(j), true)) continue;
+      if (!collide(model, i, at_of(i), j, at_of(j), true)) continue;
       Clash clash;
       clash.demands = {lock};
-      if (!model.items[j].fixed) clash.demands.push_back(Demand::of(lock_of(model, static_cast<int>(j))));
+      if (!model.items[j].fixed) clash.demands.push_back(Demand::of(lock_of(model, j)));
       const GridBox shared = intersection(box, box_of(model.items[j], at_of(j)));
       clash.sentence = fmt::format("{} and {} are both to stay where they are, and overlap there by {:.2f} × {:.2f} m", who,
-                                   object_in_words(model, static_cast<int>(j)), shared.extent(0) / 1000.0, shared.extent(1) / 1000.0);
+                                   object_in_words(model, j), shared.extent(0) / 1000.0, shared.extent(1) / 1000.0);
       out.push_back(std::move(clash));
     }
   }

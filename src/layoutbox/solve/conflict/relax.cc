@@ -25,9 +25,9 @@ const Relation* relation_of(const PlacementModel& model, const Demand& demand) {
 }
 
 // Its place among those of its kind, from 0.
-int rank_of(const PlacementModel& model, int item) {
+int rank_of(const PlacementModel& model, ItemId item) {
   int rank = 0;
-  for (int i = 0; i < item; ++i) {
+  for (const ItemId i : ids_before(item)) {
     const Item& other = model.items[i];
     rank += !other.is_opening() && other.object->category == model.items[item].object->category;
   }
@@ -58,18 +58,18 @@ bool is_assumption(const PlacementModel& model, const Constraint& constraint) {
   return constraint.relation.exists() && !model.relation(constraint.relation).asked();
 }
 
-std::vector<int> least_missed_first(const PlacementModel& model, std::vector<int> items) {
-  std::erase_if(items, [&](int i) { return model.items[i].is_opening() || model.items[i].fixed || model.items[i].locked; });
-  const auto key = [&](int i) {
+std::vector<ItemId> least_missed_first(const PlacementModel& model, std::vector<ItemId> items) {
+  std::erase_if(items, [&](ItemId i) { return model.items[i].is_opening() || model.items[i].fixed || model.items[i].locked; });
+  const auto key = [&](ItemId i) {
     const Item& item = model.items[i];
-    return std::tuple(-static_cast<int>(item.object->origin), rank_of(model, i) == 0, footprint(item), -i);
+    return std::tuple(-static_cast<int>(item.object->origin), rank_of(model, i) == 0, footprint(item), -i.number());
   };
-  std::stable_sort(items.begin(), items.end(), [&](int a, int b) { return key(a) < key(b); });
+  std::stable_sort(items.begin(), items.end(), [&](ItemId a, ItemId b) { return key(a) < key(b); });
   return items;
 }
 
-std::vector<int> objects_to_blame(const PlacementModel& model, const Clash& clash) {
-  std::vector<int> items;
+std::vector<ItemId> objects_to_blame(const PlacementModel& model, const Clash& clash) {
+  std::vector<ItemId> items;
   for (const Demand& demand : clash.demands) {
     if (relation_of(model, demand) != nullptr) return {};
     if (demand.is_item()) items.push_back(demand.item);
@@ -96,7 +96,7 @@ std::string too_much_in_words(const PlacementModel& model, const Scope& scope) {
   const auto m2 = [](std::int64_t area) { return static_cast<double>(area) / 1e6; };
   const FloorSum floor = floor_sum(model, scope);
   const auto things = std::ranges::count_if(model.items, [](const Item& item) { return !item.is_opening(); });
-  const std::string before = floor.door >= 0 ? fmt::format(", {:.2f} m² stay free before the door", m2(floor.before_door)) : "";
+  const std::string before = floor.door.exists() ? fmt::format(", {:.2f} m² stay free before the door", m2(floor.before_door)) : "";
   return fmt::format(
       "no layout was found for all {} objects together: they cover at least {:.2f} m² of floor{}, and the room has {:.2f} m²", things,
       m2(floor.covered), before, m2(floor.room));

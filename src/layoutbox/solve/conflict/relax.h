@@ -18,10 +18,10 @@ bool is_assumption(const PlacementModel& model, const Constraint& constraint);
 
 // Objects that may be left out, the one that is missed least first: those that were not asked for, the later ones of several of a kind,
 // small ones, the last said. Nothing fixed or locked.
-std::vector<int> least_missed_first(const PlacementModel& model, std::vector<int> items);
+std::vector<ItemId> least_missed_first(const PlacementModel& model, std::vector<ItemId> items);
 
 // The objects of a clash in which nothing but objects and the floor before openings take part; empty: relations do.
-std::vector<int> objects_to_blame(const PlacementModel& model, const Clash& clash);
+std::vector<ItemId> objects_to_blame(const PlacementModel& model, const Clash& clash);
 
 struct LessScene {
   SceneGraph scene;

@@ -18,7 +18,7 @@ double surplus(const FloorSum& floor, double share) {
 // How much is asked for and how much there is.
 std::string need_in_words(const PlacementModel& model, const FloorSum& floor) {
   const auto m2 = [](std::int64_t area) { return static_cast<double>(area) / 1e6; };
-  const std::string door = floor.door >= 0 ? fmt::format(" besides {:.1f} m² before the door", m2(floor.before_door)) : "";
+  const std::string door = floor.door.exists() ? fmt::format(" besides {:.1f} m² before the door", m2(floor.before_door)) : "";
   const std::int64_t missing = floor.missing();
   const std::string short_of = missing > 0 ? fmt::format(", {:.1f} m² less", m2(std::max<std::int64_t>(missing, 50'000))) : "";
   return fmt::format("{} need at least {:.1f} m² of floor{}, and the room has {:.1f} m²{}", things_in_words(model, floor.items),
@@ -28,23 +28,23 @@ std::string need_in_words(const PlacementModel& model, const FloorSum& floor) {
 }  // namespace
 
 // Of what is missed least first the fewest without which the rest may fit; empty where it is not too much by its sums.
-std::vector<int> Solver::surplus_items() const {
+std::vector<ItemId> Solver::surplus_items() const {
   const FloorSum floor = floor_sum(model_, scope_);
   if (floor.missing() <= 0) return {};
   double too_much = surplus(floor, kFilled);
-  std::vector<int> left = least_missed_first(model_, floor.items), gone;
-  const auto as_dear = [&](int a, int b) {
+  std::vector<ItemId> left = least_missed_first(model_, floor.items), gone;
+  const auto as_dear = [&](ItemId a, ItemId b) {
     const Item &x = model_.items[a], &y = model_.items[b];
-    const auto is_first = [&](int i) {
+    const auto is_first = [&](ItemId i) {
       return std::none_of(floor.items.begin(), floor.items.end(),
-                          [&](int j) { return j < i && model_.items[j].entry == model_.items[i].entry; });
+                          [&](ItemId j) { return j < i && model_.items[j].entry == model_.items[i].entry; });
     };
     return x.object->origin == y.object->origin && is_first(a) == is_first(b);
   };
   while (too_much > 0 && !left.empty()) {
     // Of equally dear ones the smallest that is enough, else the largest.
-    int best = left.front();
-    for (const int item : left) {
+    ItemId best = left.front();
+    for (const ItemId item : left) {
       if (!as_dear(left.front(), item)) break;
       const auto area = static_cast<double>(least_area(model_.items[item])),
                  best_area = static_cast<double>(least_area(model_.items[best]));
@@ -72,13 +72,13 @@ Status Solver::note_crowd(const std::vector<Clash>& sums) {
   for (const Demand& demand : crowd.demands) {
     const bool item = demand.is_item();
     (item ? crowd_->objects : crowd_->relations)
-        .push_back(item ? model_.items[static_cast<std::size_t>(demand.item)].id : model_.constraints[demand.constraint].name);
+        .push_back(item ? model_.items[demand.item].id : model_.constraints[demand.constraint].name);
   }
   return {};
 }
 
 // Where the least sizes of all together are more than the floor: how much, and without what the rest has a place.
-std::optional<std::string> Solver::too_little_floor(const std::vector<int>& without) const {
+std::optional<std::string> Solver::too_little_floor(const std::vector<ItemId>& without) const {
   const FloorSum floor = floor_sum(model_, scope_);
   if (floor.missing() <= 0 || without.empty()) return std::nullopt;
   return fmt::format("{}; without {} the rest has a place", need_in_words(model_, floor), things_in_words(model_, without));
@@ -87,7 +87,7 @@ std::optional<std::string> Solver::too_little_floor(const std::vector<int>& with
 // True: something was left out.
 Result<bool> Solver::shed(const std::vector<Clash>& sums) {
   if (options_.on_conflict != OnConflict::kRelax) return false;
-  const std::vector<int> items = surplus_items();
+  const std::vector<ItemId> items = surplus_items();
   if (items.size() < 2) return false;  // one is found, and said, by itself
   LAYOUTBOX_ASSIGN(const bool made_way, companions_make_way_for(items));
   if (made_way) return true;
@@ -96,10 +96,10 @@ Result<bool> Solver::shed(const std::vector<Clash>& sums) {
   clash.minimal = false;
   const FloorSum floor = floor_sum(model_, scope_);
   clash.sentence = need_in_words(model_, floor);
-  for (const int item : floor.items) clash.demands.push_back(Demand::of_item(item));
-  const bool asked = std::any_of(items.begin(), items.end(), [&](int i) { return is_asked(i); });
+  for (const ItemId item : floor.items) clash.demands.push_back(Demand::of_item(item));
+  const bool asked = std::any_of(items.begin(), items.end(), [&](ItemId i) { return is_asked(i); });
   LAYOUTBOX_CHECK(note_conflict(clash, asked));
-  for (const int item : items) note_left_out(item, clash.sentence);
+  for (const ItemId item : items) note_left_out(item, clash.sentence);
   shed_ = true;
   LAYOUTBOX_CHECK(rebuild());
   return true;
@@ -116,9 +116,9 @@ void Solver::sum_up_shedding() {
   const LessScene less = without_objects(asked_, companions);
   const Result<PlacementModel> whole = build_model(less.scene, catalog_, guides());
   if (!whole) return;
-  std::vector<int> gone;
+  std::vector<ItemId> gone;
   for (const std::string& id : left_out_ids_) {
-    if (const int item = whole->find_item(id); item >= 0) gone.push_back(item);
+    if (const ItemId item = whole->find_item(id); item.exists()) gone.push_back(item);
   }
   std::sort(gone.begin(), gone.end());
   const bool all_else = std::all_of(relaxed_.begin(), relaxed_.end(), [&](const auto& relaxed) {
@@ -129,18 +129,18 @@ void Solver::sum_up_shedding() {
   const std::string sentence = fmt::format("{}; without {} {}", need_in_words(*whole, floor), things_in_words(*whole, gone),
                                            all_else ? "all else fits" : "the rest has a place");
   for (Relaxation& reason : reasons_) {
-    if (const int item = whole->find_item(reason.relation); item >= 0)
+    if (const ItemId item = whole->find_item(reason.relation); item.exists())
       reason.why = object_in_words(*whole, item) + " is left out: " + sentence;
   }
   // One conflict in the place of all that speak of things alone.
   std::erase_if(conflicts_, [](const Noted& noted) { return noted.conflict.relations.empty(); });
   Noted noted{crowd_.value_or(Conflict{{}, {}, sentence, false}), false};
   if (!crowd_) {
-    for (const int item : floor.items) noted.conflict.objects.push_back(whole->items[item].id);
+    for (const ItemId item : floor.items) noted.conflict.objects.push_back(whole->items[item].id);
   } else if (crowd_->objects.size() == floor.items.size()) {
     noted.conflict.sentence = sentence;
   }
-  for (const int item : gone) noted.asked = noted.asked || whole->items[item].object->asked();
+  for (const ItemId item : gone) noted.asked = noted.asked || whole->items[item].object->asked();
   conflicts_.insert(conflicts_.begin(), std::move(noted));
 }
 

@@ -5,8 +5,7 @@ namespace layoutbox::placement {
 Encoding::Encoding(const PlacementModel& model, const Scope& scope, Purpose purpose)
     : model_(model), purpose_(purpose), items_(model.items.size()) {
   always_ = cp_.add_variable(1, 1);
-  const int count = static_cast<int>(model.items.size());
-  for (int i = 0; i < count; ++i) {
+  for (const ItemId i : items_.ids()) {
     if (!scope.leaves_out(i)) add_item(i);
   }
   for (const ConstraintId c : model.constraints.ids()) {
@@ -19,18 +18,18 @@ Encoding::Encoding(const PlacementModel& model, const Scope& scope, Purpose purp
     demand_literals_.push_back(literal);
     add_constraint(c, literal);
   }
-  for (int i = 0; i < count; ++i) {
+  for (const ItemId i : items_.ids()) {
     if (!items_[i].used) continue;
     add_constraint(model.items[i].support_constraint, items_[i].present);
     if (model.items[i].within_constraint.exists()) add_constraint(model.items[i].within_constraint, items_[i].present);
     add_outside(i);
-    for (int j = i + 1; j < count; ++j) {
+    for (const ItemId j : items_.ids_after(i)) {
       if (items_[j].used) add_pair(i, j);
     }
   }
 }
 
-void Encoding::add_item(int index) {
+void Encoding::add_item(ItemId index) {
   const Item& item = model_.items[index];
   ItemVariables& v = items_[index];
   v.used = true;
@@ -106,7 +105,7 @@ void Encoding::add_case(const Case& one, std::span<const CpLiteral> when) {
 }
 
 void Encoding::require_present(const Case& one, CpLiteral when) {
-  const auto present = [&](int item) {
+  const auto present = [&](ItemId item) {
     if (items_[item].present != when) cp_.add_or(std::array{items_[item].present}, std::array{when});
   };
   for (const StateLiteral& literal : one.states) present(literal.item);
@@ -119,7 +118,7 @@ void Encoding::add_constraint(ConstraintId constraint, CpLiteral when) {
   for (const Formula& formula : model_.constraints[constraint].formulas) {
     // What is left out can neither break nor keep a relation.
     const auto is_there = [&](const Case& one) {
-      const auto used = [&](int item) { return items_[item].used; };
+      const auto used = [&](ItemId item) { return items_[item].used; };
       return std::all_of(one.states.begin(), one.states.end(), [&](const StateLiteral& l) { return used(l.item); }) &&
              std::all_of(one.at_least_zero.begin(), one.at_least_zero.end(), [&](const Linear& form) {
                return std::all_of(form.terms.begin(), form.terms.end(), [&](const Term& t) { return used(t.item); });
@@ -165,7 +164,7 @@ std::vector<std::size_t> Encoding::demands_in(const std::vector<CpLiteral>& core
 }
 
 void Encoding::hint(const Placements& placements) {
-  for (std::size_t i = 0; i < items_.size(); ++i) {
+  for (const ItemId i : items_.ids()) {
     const ItemVariables& v = items_[i];
     if (!v.used || placements[i].state < 0) continue;
     for (int k = 0; k < 3; ++k) cp_.hint(v.position[k], placements[i].at[k]);
@@ -175,7 +174,7 @@ void Encoding::hint(const Placements& placements) {
 
 Placements Encoding::placements_of(const std::vector<std::int64_t>& values) const {
   Placements placements(items_.size());
-  for (std::size_t i = 0; i < items_.size(); ++i) {
+  for (const ItemId i : items_.ids()) {
     const ItemVariables& v = items_[i];
     if (!v.used) continue;
     placements[i].state = 0;

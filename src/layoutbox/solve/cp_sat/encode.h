@@ -19,12 +19,12 @@ inline constexpr std::int64_t kNoBound = std::numeric_limits<std::int64_t>::max(
 // What can be asked to hold or not: a constraint of the model or the presence of an item.
 struct Demand {
   ConstraintId constraint;
-  int item = -1;  // where there is no constraint
+  ItemId item;  // where there is no constraint
 
-  static Demand of(ConstraintId constraint) { return {constraint, -1}; }
-  static Demand of_item(int item) { return {{}, item}; }
+  static Demand of(ConstraintId constraint) { return {constraint, {}}; }
+  static Demand of_item(ItemId item) { return {{}, item}; }
   bool is_item() const { return !constraint.exists(); }
-  int number() const { return is_item() ? item : constraint.number(); }  // among those of its kind
+  int number() const { return is_item() ? item.number() : constraint.number(); }  // among those of its kind
   friend bool operator==(const Demand&, const Demand&) = default;
 };
 
@@ -62,24 +62,24 @@ class Encoding {
     std::int64_t constant = 0;
   };
 
-  void add_item(int item);
+  void add_item(ItemId item);
   void add_constraint(ConstraintId constraint, CpLiteral when);
   void require_present(const Case& one, CpLiteral when);
   void add_case(const Case& one, std::span<const CpLiteral> when);
-  void add_pair(int a, int b);
-  void add_outside(int item);
+  void add_pair(ItemId a, ItemId b);
+  void add_outside(ItemId item);
   void add_size_costs(std::vector<CpTerm>& total);
   void add_wish_costs(std::int64_t most, std::vector<CpTerm>& total);
   void add_case_cost(const Constraint& constraint, const Case& one, std::int32_t cost, std::int64_t most, CpLiteral when);
-  void add_access_cost(int item, std::int64_t most, std::vector<CpTerm>& total);
-  std::int32_t blocked_share(int item, const std::vector<GridBox>& strip);
-  std::int32_t shared_length(int item, const std::vector<GridBox>& strip, int body, int axis);
+  void add_access_cost(ItemId item, std::int64_t most, std::vector<CpTerm>& total);
+  std::int32_t blocked_share(ItemId item, const std::vector<GridBox>& strip);
+  std::int32_t shared_length(ItemId item, const std::vector<GridBox>& strip, ItemId body, int axis);
   // The bodies (or clear boxes) a and b, given by their state-dependent offsets, do not share room.
   // `headings`: they may also pass along a slanted wall.
-  void add_disjoint(int a, const std::vector<GridBox>& part_a, int b, const std::vector<GridBox>& part_b,
+  void add_disjoint(ItemId a, const std::vector<GridBox>& part_a, ItemId b, const std::vector<GridBox>& part_b,
                     const std::vector<CpLiteral>& when, bool headings = false);
   Expanded expand(const Linear& form) const;
-  void add_offset(Expanded& out, int item, std::int64_t factor, const std::vector<GridBox>& parts, int axis, bool high) const;
+  void add_offset(Expanded& out, ItemId item, std::int64_t factor, const std::vector<GridBox>& parts, int axis, bool high) const;
   void require(const Expanded& form, std::span<const CpLiteral> when);
   CpLiteral always() const { return always_; }
 
@@ -87,7 +87,7 @@ class Encoding {
   Purpose purpose_;
   CpModel cp_;
   CpLiteral always_ = 0;
-  std::vector<ItemVariables> items_;
+  ById<ItemId, ItemVariables> items_;
   std::vector<Demand> demands_;
   std::vector<CpLiteral> demand_literals_;
 };

@@ -39,7 +39,7 @@ std::vector<std::vector<GridBox>> parts_of(const Item& item, std::vector<GridBox
 
 }  // namespace
 
-void Encoding::add_offset(Expanded& out, int item, std::int64_t factor, const std::vector<GridBox>& parts, int axis, bool high) const {
+void Encoding::add_offset(Expanded& out, ItemId item, std::int64_t factor, const std::vector<GridBox>& parts, int axis, bool high) const {
   const ItemVariables& v = items_[item];
   const auto edge = [&](const GridBox& box) { return std::int64_t{high ? box.hi[axis] : box.lo[axis]}; };
   out.terms.push_back({v.position[axis], factor});
@@ -52,7 +52,7 @@ void Encoding::add_offset(Expanded& out, int item, std::int64_t factor, const st
   }
 }
 
-void Encoding::add_disjoint(int a, const std::vector<GridBox>& part_a, int b, const std::vector<GridBox>& part_b,
+void Encoding::add_disjoint(ItemId a, const std::vector<GridBox>& part_a, ItemId b, const std::vector<GridBox>& part_b,
                             const std::vector<CpLiteral>& when, bool headings) {
   std::vector<CpLiteral> sides;
   for (int axis = 0; axis < 3; ++axis) {
@@ -86,7 +86,7 @@ void Encoding::add_disjoint(int a, const std::vector<GridBox>& part_a, int b, co
   cp_.add_or(sides, when);
 }
 
-void Encoding::add_pair(int a, int b) {
+void Encoding::add_pair(ItemId a, ItemId b) {
   const Item &x = model_.items[a], &y = model_.items[b];
   const PairRule rule = model_.pair(a, b);
   if (rule == PairRule::kFree || (x.fixed && y.fixed)) return;
@@ -100,7 +100,7 @@ void Encoding::add_pair(int a, int b) {
     return;
   }
   if (x.is_opening() || y.is_opening()) {
-    const int opening = x.is_opening() ? a : b, body = x.is_opening() ? b : a;
+    const ItemId opening = x.is_opening() ? a : b, body = x.is_opening() ? b : a;
     if (purpose_ == Purpose::kProving && model_.items[opening].odd_states) return;  // its box is more than what is to be free
     const ConstraintId clearance = model_.items[opening].clearance_constraint;
     const auto demand = std::find(demands_.begin(), demands_.end(), Demand::of(clearance));
@@ -122,7 +122,7 @@ void Encoding::add_pair(int a, int b) {
   }
 }
 
-void Encoding::add_outside(int index) {
+void Encoding::add_outside(ItemId index) {
   if (model_.items[index].is_opening() || model_.items[index].fixed) return;
   if (purpose_ == Purpose::kProving && model_.items[index].odd_states) return;  // its box is more than its body
   for (const GridBox& outside : model_.off_limits) {

@@ -15,8 +15,8 @@ bool costs_nothing(const Constraint& constraint, const Case& one) {
   return one.wishes.empty() && one.price == 0 && !(soft && (!one.at_least_zero.empty() || !one.states.empty()));
 }
 
-bool speaks_only_of_used(const Formula& formula, const std::vector<char>& used) {
-  return std::all_of(formula.items.begin(), formula.items.end(), [&](int item) { return used[static_cast<std::size_t>(item)] != 0; });
+bool speaks_only_of_used(const Formula& formula, const ById<ItemId, char>& used) {
+  return std::all_of(formula.items.begin(), formula.items.end(), [&](ItemId item) { return used[item] != 0; });
 }
 
 }  // namespace
@@ -28,8 +28,8 @@ void Encoding::bound_cost(std::int64_t most, bool with_access) {
       case TermKind::kSizes: add_size_costs(total); break;
       case TermKind::kWishes: add_wish_costs(most, total); break;
       case TermKind::kAccess:
-        for (std::size_t i = 0; i < items_.size() && with_access; ++i) {
-          if (items_[i].used) add_access_cost(static_cast<int>(i), most, total);
+        for (const ItemId i : items_.ids()) {
+          if (with_access && items_[i].used) add_access_cost(i, most, total);
         }
         break;
       case TermKind::kWays: break;  // how floor hangs together is nothing linear: they cost what they may
@@ -39,7 +39,7 @@ void Encoding::bound_cost(std::int64_t most, bool with_access) {
 }
 
 void Encoding::add_size_costs(std::vector<CpTerm>& total) {
-  for (std::size_t i = 0; i < items_.size(); ++i) {
+  for (const ItemId i : items_.ids()) {
     if (!items_[i].used) continue;
     for (std::size_t s = 0; s < items_[i].states.size(); ++s) {
       const std::int64_t cost = size_cost(model_.items[i].states[s]);
@@ -49,7 +49,7 @@ void Encoding::add_size_costs(std::vector<CpTerm>& total) {
 }
 
 void Encoding::add_wish_costs(std::int64_t most, std::vector<CpTerm>& total) {
-  std::vector<char> used;
+  ById<ItemId, char> used;
   for (const ItemVariables& v : items_) used.push_back(v.used);
   for (const Constraint& constraint : model_.constraints) {
     const auto free = [&](const Case& c) { return costs_nothing(constraint, c); };
@@ -109,7 +109,7 @@ void Encoding::add_case_cost(const Constraint& constraint, const Case& one, std:
 }
 
 // How far the strip of an item and a body share an axis, at least.
-std::int32_t Encoding::shared_length(int item, const std::vector<GridBox>& strip, int body, int axis) {
+std::int32_t Encoding::shared_length(ItemId item, const std::vector<GridBox>& strip, ItemId body, int axis) {
   const std::int32_t length = cp_.add_variable(0, model_.room.extent(axis));
   const std::vector<GridBox> whole = [&] {
     std::vector<GridBox> boxes;
@@ -117,7 +117,7 @@ std::int32_t Encoding::shared_length(int item, const std::vector<GridBox>& strip
     return boxes;
   }();
   std::vector<CpLiteral> ends;
-  const auto at_least = [&](int high_of, const std::vector<GridBox>& high, int low_of, const std::vector<GridBox>& low) {
+  const auto at_least = [&](ItemId high_of, const std::vector<GridBox>& high, ItemId low_of, const std::vector<GridBox>& low) {
     Expanded form;  // length − (high − low) ≥ 0
     form.terms.push_back({length, 1});
     add_offset(form, high_of, -1, high, axis, true);
@@ -134,7 +134,7 @@ std::int32_t Encoding::shared_length(int item, const std::vector<GridBox>& strip
 }
 
 // The blocked share of a strip in thousandths, at least.
-std::int32_t Encoding::blocked_share(int item, const std::vector<GridBox>& strip) {
+std::int32_t Encoding::blocked_share(ItemId item, const std::vector<GridBox>& strip) {
   const ItemVariables& v = items_[item];
   std::vector<CpTerm> blocked;  // areas, in thousandths
   std::int32_t inside[2];
@@ -158,9 +158,8 @@ std::int32_t Encoding::blocked_share(int item, const std::vector<GridBox>& strip
     return area;
   };
   blocked.push_back({product(inside[0], inside[1]), -1000});
-  for (std::size_t j = 0; j < items_.size(); ++j) {
-    const int other = static_cast<int>(j);
-    if (!items_[j].used || other == item || !surely_blocks(model_, other, item)) continue;
+  for (const ItemId other : items_.ids()) {
+    if (!items_[other].used || other == item || !surely_blocks(model_, other, item)) continue;
     blocked.push_back({product(shared_length(item, strip, other, 0), shared_length(item, strip, other, 1)), 1000});
   }
   const std::int32_t share = cp_.add_variable(0, 1000);
@@ -177,7 +176,7 @@ std::int32_t Encoding::blocked_share(int item, const std::vector<GridBox>& strip
   return share;
 }
 
-void Encoding::add_access_cost(int index, std::int64_t most, std::vector<CpTerm>& total) {
+void Encoding::add_access_cost(ItemId index, std::int64_t most, std::vector<CpTerm>& total) {
   const Item& item = model_.items[index];
   const bool on_floor = item.supports.size() == 1 && item.supports[0].kind == SupportOption::Kind::kFloor;
   if (item.is_opening() || item.thin || !on_floor) return;  // it costs what it may

@@ -41,7 +41,7 @@ std::int64_t value_of(const PlacementModel& model, const Linear& form, const Pla
 }
 
 bool all_placed(const Formula& formula, const Placements& placements) {
-  return std::all_of(formula.items.begin(), formula.items.end(), [&](int item) { return placements[item].state >= 0; });
+  return std::all_of(formula.items.begin(), formula.items.end(), [&](ItemId item) { return placements[item].state >= 0; });
 }
 
 bool all_placed(const Constraint& constraint, const Placements& placements) {
@@ -79,7 +79,7 @@ Direction side_direction(const Item& item, Side side, int turn) {
   return item.has_front ? turned(d, ((turn + 45) / 90 * 90) % 360) : d;
 }
 
-bool collide(const PlacementModel& model, int a, const Placement& pa, int b, const Placement& pb, bool clear_boxes) {
+bool collide(const PlacementModel& model, ItemId a, const Placement& pa, ItemId b, const Placement& pb, bool clear_boxes) {
   const PairRule rule = model.pair(a, b);
   if (rule == PairRule::kFree) return false;
   const Item &item_a = model.items[a], &item_b = model.items[b];

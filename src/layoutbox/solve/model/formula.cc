@@ -16,9 +16,9 @@ void add_term(Linear& form, const Term& term) {
   if (term.coefficient != 0) form.terms.push_back(term);
 }
 
-Linear single(int item, int quantity) {
+Linear single(ItemId item, int quantity) {
   Linear form;
-  form.terms.push_back({1, static_cast<std::int16_t>(item), static_cast<std::int16_t>(quantity)});
+  form.terms.push_back({1, item, static_cast<std::int16_t>(quantity)});
   return form;
 }
 
@@ -46,12 +46,12 @@ Linear operator*(std::int32_t factor, Linear a) {
   return a;
 }
 
-Linear lo(int item, int axis) { return single(item, kPositionX + axis); }
-Linear extent(int item, int axis) { return single(item, kExtentX + axis); }
-Linear hi(int item, int axis) { return lo(item, axis) + extent(item, axis); }
-Linear mid2(int item, int axis) { return 2 * lo(item, axis) + extent(item, axis); }
-Linear constant_of(int item, int quantity) { return single(item, quantity); }
-Linear reach(int item, Direction towards) { return towards.sign > 0 ? hi(item, towards.axis) : -1 * lo(item, towards.axis); }
+Linear lo(ItemId item, int axis) { return single(item, kPositionX + axis); }
+Linear extent(ItemId item, int axis) { return single(item, kExtentX + axis); }
+Linear hi(ItemId item, int axis) { return lo(item, axis) + extent(item, axis); }
+Linear mid2(ItemId item, int axis) { return 2 * lo(item, axis) + extent(item, axis); }
+Linear constant_of(ItemId item, int quantity) { return single(item, quantity); }
+Linear reach(ItemId item, Direction towards) { return towards.sign > 0 ? hi(item, towards.axis) : -1 * lo(item, towards.axis); }
 
 Case& Case::require_small(const Linear& form, Mm tolerance) {
   require(Linear(tolerance) - form);

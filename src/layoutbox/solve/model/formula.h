@@ -20,7 +20,7 @@ enum Quantity : std::int16_t { kPositionX, kPositionY, kPositionZ, kExtentX, kEx
 
 struct Term {
   std::int32_t coefficient = 0;
-  std::int16_t item = 0;
+  ItemId item;
   std::int16_t quantity = kPositionX;
 };
 
@@ -39,20 +39,20 @@ Linear operator-(Linear a, const Linear& b);
 Linear operator*(std::int32_t factor, Linear a);
 
 // Edges of an item's box along an axis; `mid2` is twice its middle, so that halves stay whole numbers.
-Linear lo(int item, int axis);
-Linear hi(int item, int axis);
-Linear extent(int item, int axis);
-Linear mid2(int item, int axis);
-Linear constant_of(int item, int quantity);
+Linear lo(ItemId item, int axis);
+Linear hi(ItemId item, int axis);
+Linear extent(ItemId item, int axis);
+Linear mid2(ItemId item, int axis);
+Linear constant_of(ItemId item, int quantity);
 // The edge towards a direction, and how far towards it the item reaches: sign · edge.
-Linear reach(int item, Direction towards);
+Linear reach(ItemId item, Direction towards);
 
 // How many millimetres a requirement of that scale is from holding, whose form has that value; 0 or less: it holds.
 inline std::int64_t missing(std::int64_t value, std::int32_t scale) { return scale == 1 ? -value : (scale - 1 - value) / scale; }
 
 // The item's state is one of those in the mask.
 struct StateLiteral {
-  int item = 0;
+  ItemId item;
   std::uint64_t states = 0;
 };
 
@@ -70,7 +70,7 @@ struct Case {
   bool turned = false;     // right for things at odd angles too, whatever its relation
   std::int32_t price = 0;  // points for choosing this case rather than another
 
-  Case& when(int item, std::uint64_t mask) { return states.push_back({item, mask}), *this; }
+  Case& when(ItemId item, std::uint64_t mask) { return states.push_back({item, mask}), *this; }
   Case& require(Linear form, std::int32_t scale = 1) {
     form.scale = scale;
     return at_least_zero.push_back(std::move(form)), *this;
@@ -90,9 +90,9 @@ enum class Purpose { kPlacing, kProving };
 // and `held` go by the cases, a proof that something cannot be by `outer`.
 struct Formula {
   std::vector<Case> cases;
-  bool exact = true;        // the cases are the meaning itself
-  std::vector<Case> outer;  // where not exact; none: nothing is known to be necessary
-  std::vector<int> items;   // all that it speaks of; filled by build_model
+  bool exact = true;          // the cases are the meaning itself
+  std::vector<Case> outer;    // where not exact; none: nothing is known to be necessary
+  std::vector<ItemId> items;  // all that it speaks of; filled by build_model
   Case& add() { return cases.emplace_back(); }
   Case& add_outer() {
     exact = false;
@@ -114,11 +114,11 @@ struct Constraint {
   Firmness firmness = Firmness::kHard;
   std::int32_t weight = 100;  // soft: points per metre missed; hard: the price of giving it up
   std::vector<Formula> formulas;
-  std::vector<std::pair<int, Mm>> reach;  // items to which somebody so wide must find a way; checked on layouts, not linear
-  std::vector<int> hosts;                 // habits: the items that are to be placed first
-  std::string words;                      // what it says, where it is no relation of the scene: "the bed stays where it was"
-  bool stay = false;                      // how far something is from its earlier place: no part of the score
-  int formation = -1, member = -1;  // the place of that item in the formation that the first of them leads; its cases are in one order
+  std::vector<std::pair<ItemId, Mm>> reach;  // items to which somebody so wide must find a way; checked on layouts, not linear
+  std::vector<ItemId> hosts;                 // habits: the items that are to be placed first
+  std::string words;                         // what it says, where it is no relation of the scene: "the bed stays where it was"
+  bool stay = false;                         // how far something is from its earlier place: no part of the score
+  ItemId formation, member;  // the place of that item in the formation that the first of them leads; its cases are in one order
 };
 
 }  // namespace layoutbox::placement

@@ -29,7 +29,7 @@ Item opening_item(const Opening& opening, const Room& room, std::span<const Room
 // How deep the floor before it is to be free: a door's is as deep as it is wide.
 Mm clear_depth(const Opening& opening);
 // Where an opening may be: in one of the walls it fits, where it is when that is given.
-Constraint opening_place(const PlacementModel& model, int index);
+Constraint opening_place(const PlacementModel& model, ItemId index);
 Constraint opening_clearance(const Item& item);
 
 // Fills PlacementModel::pairs. REQUIRES: all items are there.

@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::size_t kMostObjects = 500;
 
-std::vector<int> items_of(const std::vector<Case>& cases) {
-  std::set<int> items;
+std::vector<ItemId> items_of(const std::vector<Case>& cases) {
+  std::set<ItemId> items;
   for (const Case& one : cases) {
     for (const StateLiteral& literal : one.states) items.insert(literal.item);
     for (const Linear& form : one.at_least_zero) {
@@ -34,12 +34,12 @@ std::vector<int> items_of(const std::vector<Case>& cases) {
 void index_constraints(PlacementModel& model) {
   model.touching.assign(model.items.size(), {});
   for (const ConstraintId c : model.constraints.ids()) {
-    std::set<int> items;
+    std::set<ItemId> items;
     for (Formula& formula : model.constraints[c].formulas) {
       formula.items = items_of(formula.cases);
       items.insert(formula.items.begin(), formula.items.end());
     }
-    for (const int item : items) model.touching[item].push_back(c);
+    for (const ItemId item : items) model.touching[item].push_back(c);
   }
 }
 
@@ -74,16 +74,16 @@ Mm Item::least_extent(int axis) const {
   return least;
 }
 
-void PlacementModel::set_pair(int a, int b, PairRule rule) {
-  pairs[static_cast<std::size_t>(a) * items.size() + b] = rule;
-  pairs[static_cast<std::size_t>(b) * items.size() + a] = rule;
+void PlacementModel::set_pair(ItemId a, ItemId b, PairRule rule) {
+  pairs[a.index() * items.size() + b.index()] = rule;
+  pairs[b.index() * items.size() + a.index()] = rule;
 }
 
-int PlacementModel::find_item(std::string_view id) const {
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    if (items[i].id == id) return static_cast<int>(i);
+ItemId PlacementModel::find_item(std::string_view id) const {
+  for (const ItemId i : items.ids()) {
+    if (items[i].id == id) return i;
   }
-  return -1;
+  return {};
 }
 
 WallId PlacementModel::find_wall(std::string_view id) const {
@@ -91,11 +91,11 @@ WallId PlacementModel::find_wall(std::string_view id) const {
   return wall ? WallId(static_cast<std::size_t>(wall - scene->room.walls.data())) : WallId();
 }
 
-bool PlacementModel::is_a(int item, std::string_view kind) const {
+bool PlacementModel::is_a(ItemId item, std::string_view kind) const {
   const SceneObject* object = items[item].object;
   if (object == nullptr) return false;
   auto known = kinds.find(kind);
-  if (known == kinds.end()) known = kinds.emplace(kind, std::vector<signed char>()).first;
+  if (known == kinds.end()) known = kinds.emplace(kind, ById<ItemId, signed char>()).first;
   if (known->second.size() != items.size()) known->second.assign(items.size(), -1);
   signed char& answer = known->second[item];
   if (answer < 0) {
@@ -157,12 +157,11 @@ Result<PlacementModel> build_model(const SceneGraph& scene, const Catalog& catal
     note_floor_use(item);
     item.all_states = item.states.size() >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << item.states.size()) - 1;
   }
-  for (std::size_t i = 0; i < model.items.size(); ++i) {
+  for (const ItemId i : model.items.ids()) {
     Item& item = model.items[i];
-    item.support_constraint = model.constraints.push_back(item.is_opening() ? opening_place(model, static_cast<int>(i))
-                                                                            : compile_support(model, static_cast<int>(i)));
+    item.support_constraint = model.constraints.push_back(item.is_opening() ? opening_place(model, i) : compile_support(model, i));
     if (!model.headings.empty() && !item.is_opening() && !item.fixed) {
-      item.within_constraint = model.constraints.push_back(within_walls(model, static_cast<int>(i)));
+      item.within_constraint = model.constraints.push_back(within_walls(model, i));
     }
     if (item.is_opening()) {
       item.clearance_constraint = model.constraints.push_back(opening_clearance(item));

@@ -41,7 +41,7 @@ struct ItemSpace {
 // Something an item can rest on or hang from; each is a case of its support constraint, in the same order.
 struct SupportOption {
   enum class Kind { kFloor, kCeiling, kWall, kItem, kSill } kind = Kind::kFloor;
-  int item = -1;  // or opening
+  ItemId item;  // or opening
   WallId wall;
   bool rests = false;  // on or in the item rather than hanging from it
 };
@@ -116,7 +116,7 @@ struct Placement {
   Vec3 at{};       // low corner
   friend bool operator==(const Placement&, const Placement&) = default;
 };
-using Placements = std::vector<Placement>;
+using Placements = ById<ItemId, Placement>;
 
 struct PlacementModel {
   const SceneGraph* scene = nullptr;
@@ -126,21 +126,21 @@ struct PlacementModel {
   std::vector<GridBox> off_limits;  // the same, where no body may be; what is behind slanted walls is said by within_walls (slanted.h)
   std::vector<Heading> headings;    // along and across the slanted walls
   ById<WallId, RoomWall> walls;
-  std::vector<Item> items;  // objects in the scene's order, then openings
+  ById<ItemId, Item> items;  // objects in the scene's order, then openings
   ById<ConstraintId, Constraint> constraints;
-  std::vector<std::vector<ConstraintId>> touching;  // item → constraints that speak of it
-  std::vector<PairRule> pairs;                      // items × items
-  const Layout* from = nullptr;                     // the earlier layout that guides, if any
-  Placements start;                                 // by item: where it had things; empty where there is none
+  ById<ItemId, std::vector<ConstraintId>> touching;  // the constraints that speak of it
+  std::vector<PairRule> pairs;                       // items × items
+  const Layout* from = nullptr;                      // the earlier layout that guides, if any
+  Placements start;                                  // by item: where it had things; empty where there is none
   // By kind: which items are one (-1: nobody asked yet). The catalogue looks each up by its name.
-  mutable std::map<std::string, std::vector<signed char>, std::less<>> kinds;
+  mutable std::map<std::string, ById<ItemId, signed char>, std::less<>> kinds;
 
-  PairRule pair(int a, int b) const { return pairs[static_cast<std::size_t>(a) * items.size() + b]; }
-  void set_pair(int a, int b, PairRule rule);
-  int find_item(std::string_view id) const;  // −1: none
+  PairRule pair(ItemId a, ItemId b) const { return pairs[a.index() * items.size() + b.index()]; }
+  void set_pair(ItemId a, ItemId b, PairRule rule);
+  ItemId find_item(std::string_view id) const;
   WallId find_wall(std::string_view id) const;
   const Relation& relation(RelationId id) const { return scene->relations[id.index()]; }
-  bool is_a(int item, std::string_view kind) const;
+  bool is_a(ItemId item, std::string_view kind) const;
 };
 
 // Whether sizes other than the usual ones are among the states, and how finely the room is cut.
@@ -181,7 +181,7 @@ bool all_placed(const Formula& formula, const Placements& placements);
 bool all_placed(const Constraint& constraint, const Placements& placements);
 
 // Do the two placed items collide? `clear_boxes` also counts the clear boxes of either.
-bool collide(const PlacementModel& model, int a, const Placement& pa, int b, const Placement& pb, bool clear_boxes);
+bool collide(const PlacementModel& model, ItemId a, const Placement& pa, ItemId b, const Placement& pb, bool clear_boxes);
 
 // The body of a placed item, taken as full, enters an upright box of the room.
 bool overlaps_box(const PlacementModel& model, const Item& item, const Placement& body, const GridBox& box);

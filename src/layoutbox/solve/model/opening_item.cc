@@ -128,7 +128,7 @@ Item opening_item(const Opening& opening, const Room& room, std::span<const Room
   return item;
 }
 
-Constraint opening_place(const PlacementModel& model, int index) {
+Constraint opening_place(const PlacementModel& model, ItemId index) {
   const Item& item = model.items[index];
   const Opening& opening = *item.opening;
   Constraint out;

@@ -7,18 +7,18 @@
 namespace layoutbox::placement {
 namespace {
 
-using Pairs = std::set<std::pair<int, int>>;
+using Pairs = std::set<std::pair<ItemId, ItemId>>;
 
 // Who is within the free space of whom: the desk under a loft bed, the box in a shelf.
-std::vector<std::pair<int, int>> nested_pairs(const PlacementModel& model) {
-  std::vector<std::pair<int, int>> nested;
+std::vector<std::pair<ItemId, ItemId>> nested_pairs(const PlacementModel& model) {
+  std::vector<std::pair<ItemId, ItemId>> nested;
   for (const Relation& relation : model.scene->relations) {
     if (relation.type != RelationType::kUnder && relation.type != RelationType::kIn) continue;
     for (const std::string& target : relation.targets) {
       for (const std::string& reference : relation.references) {
-        const int inner = model.find_item(target);
-        const int outer = model.find_item(reference);
-        if (inner >= 0 && outer >= 0 && inner != outer) nested.emplace_back(inner, outer);
+        const ItemId inner = model.find_item(target);
+        const ItemId outer = model.find_item(reference);
+        if (inner.exists() && outer.exists() && inner != outer) nested.emplace_back(inner, outer);
       }
     }
   }
@@ -31,7 +31,7 @@ void add_company_of_the_nested(const PlacementModel& model, Pairs& pairs) {
   for (bool grows = !nested.empty(); grows;) {
     const std::size_t before = pairs.size();
     for (const auto& [inner, outer] : nested) {
-      for (int other = 0; other < static_cast<int>(model.items.size()); ++other) {
+      for (const ItemId other : model.items.ids()) {
         if (other == inner || other == outer) continue;
         if (pairs.contains({std::min(inner, other), std::max(inner, other)}))
           pairs.insert({std::min(outer, other), std::max(outer, other)});
@@ -44,12 +44,11 @@ void add_company_of_the_nested(const PlacementModel& model, Pairs& pairs) {
 // A screen on a desk reaches over the seat that is pushed under it.
 void add_seats_by_riders(const PlacementModel& model, Pairs& pairs) {
   Pairs more;
-  for (std::size_t i = 0; i < model.items.size(); ++i) {
-    for (const SupportOption& support : model.items[i].supports) {
-      if (support.kind != SupportOption::Kind::kItem || !model.items[i].is(Trait::kScreen)) continue;
-      for (int seat = 0; seat < static_cast<int>(model.items.size()); ++seat) {
+  for (const ItemId rider : model.items.ids()) {
+    for (const SupportOption& support : model.items[rider].supports) {
+      if (support.kind != SupportOption::Kind::kItem || !model.items[rider].is(Trait::kScreen)) continue;
+      for (const ItemId seat : model.items.ids()) {
         const auto at_host = std::pair{std::min(seat, support.item), std::max(seat, support.item)};
-        const int rider = static_cast<int>(i);
         if (model.items[seat].is(Trait::kTableSeat) && pairs.contains(at_host)) more.insert({std::min(seat, rider), std::max(seat, rider)});
       }
     }
@@ -60,8 +59,8 @@ void add_seats_by_riders(const PlacementModel& model, Pairs& pairs) {
 // Which pairs are so close that their spaces count.
 Pairs close_pairs(const PlacementModel& model) {
   Pairs pairs;
-  const auto add = [&](int a, int b) {
-    if (a >= 0 && b >= 0 && a != b) pairs.insert({std::min(a, b), std::max(a, b)});
+  const auto add = [&](ItemId a, ItemId b) {
+    if (a.exists() && b.exists() && a != b) pairs.insert({std::min(a, b), std::max(a, b)});
   };
   for (const Relation& relation : model.scene->relations) {
     for (const std::string& target : relation.targets) {
@@ -71,17 +70,18 @@ Pairs close_pairs(const PlacementModel& model) {
       if (relation.type == RelationType::kStacked) add(model.find_item(relation.targets[i - 1]), model.find_item(relation.targets[i]));
     }
   }
-  for (std::size_t i = 0; i < model.items.size(); ++i) {
+  for (const ItemId i : model.items.ids()) {
     const Item& item = model.items[i];
     if (item.is_opening()) continue;
-    for (std::size_t j = 0; item.is(Trait::kRoofSlope) && j < model.items.size(); ++j) add(static_cast<int>(i), static_cast<int>(j));
-    for (const SupportOption& support : item.supports) {
-      if (support.kind == SupportOption::Kind::kItem) add(static_cast<int>(i), support.item);
+    for (const ItemId j : model.items.ids()) {
+      if (item.is(Trait::kRoofSlope)) add(i, j);
     }
-    for (std::size_t j = 0; j < model.items.size(); ++j) {
-      const auto goes_with = [&](const std::string& kind) { return model.is_a(static_cast<int>(j), kind); };
-      if (j != i && std::any_of(item.entry->beside.begin(), item.entry->beside.end(), goes_with))
-        add(static_cast<int>(i), static_cast<int>(j));
+    for (const SupportOption& support : item.supports) {
+      if (support.kind == SupportOption::Kind::kItem) add(i, support.item);
+    }
+    for (const ItemId j : model.items.ids()) {
+      const auto goes_with = [&](const std::string& kind) { return model.is_a(j, kind); };
+      if (j != i && std::any_of(item.entry->beside.begin(), item.entry->beside.end(), goes_with)) add(i, j);
     }
   }
   add_company_of_the_nested(model, pairs);
@@ -93,7 +93,7 @@ Pairs close_pairs(const PlacementModel& model) {
 bool lies_under(const Item& item) { return item.thin && !item.entry->lain_on; }
 
 // Is it asked to be at that window: under it, facing it, beside it?
-bool asked_at_window(const PlacementModel& model, int item, const Item& window) {
+bool asked_at_window(const PlacementModel& model, ItemId item, const Item& window) {
   return std::ranges::any_of(model.scene->relations, [&](const Relation& r) {
     const bool under = r.type == RelationType::kUnderWindow && r.references.empty();
     return r.origin == Origin::kAsked && (under || std::ranges::find(r.references, window.id) != r.references.end()) &&
@@ -103,15 +103,14 @@ bool asked_at_window(const PlacementModel& model, int item, const Item& window) 
 
 // What stands on a sill may be before the window, and so may what stands on a desk that is asked to be there.
 void let_before_windows(PlacementModel& model) {
-  for (std::size_t i = 0; i < model.items.size(); ++i) {
-    for (const SupportOption& support : model.items[i].supports) {
-      const int item = static_cast<int>(i);
+  for (const ItemId item : model.items.ids()) {
+    for (const SupportOption& support : model.items[item].supports) {
       if (support.kind == SupportOption::Kind::kSill) model.set_pair(item, support.item, PairRule::kFree);
       if (support.kind != SupportOption::Kind::kItem) continue;
-      for (std::size_t w = 0; w < model.items.size(); ++w) {
+      for (const ItemId w : model.items.ids()) {
         const Item& window = model.items[w];
         if (window.is_opening() && window.opening->type == OpeningType::kWindow && asked_at_window(model, support.item, window))
-          model.set_pair(item, static_cast<int>(w), PairRule::kFree);
+          model.set_pair(item, w, PairRule::kFree);
       }
     }
   }
@@ -136,10 +135,9 @@ void set_pair_rules(PlacementModel& model) {
     if (window && (a.curtain || b.curtain)) return PairRule::kFree;
     return PairRule::kBoxes;
   };
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = i; j < n; ++j) {
-      model.set_pair(static_cast<int>(i), static_cast<int>(j), i == j ? PairRule::kFree : rule_of(model.items[i], model.items[j]));
-    }
+  for (const ItemId i : model.items.ids()) {
+    model.set_pair(i, i, PairRule::kFree);
+    for (const ItemId j : model.items.ids_after(i)) model.set_pair(i, j, rule_of(model.items[i], model.items[j]));
   }
   for (const auto& [a, b] : close_pairs(model)) {
     if (model.pair(a, b) != PairRule::kBoxes || model.items[a].is_opening() || model.items[b].is_opening()) continue;

@@ -11,13 +11,10 @@ namespace layoutbox::placement {
 // What is past the end of a list is not in it.
 struct Scope {
   ById<ConstraintId, char> given_up;  // they need not hold
-  std::vector<char> left_out;         // by item: not there at all; what speaks of them cannot hold
+  ById<ItemId, char> left_out;        // not there at all; what speaks of them cannot hold
 
   bool gives_up(ConstraintId constraint) const { return given_up.has(constraint) && given_up[constraint] != 0; }
-  bool leaves_out(int item) const {
-    const auto i = static_cast<std::size_t>(item);  // −1, which is none, is past the end
-    return i < left_out.size() && left_out[i] != 0;
-  }
+  bool leaves_out(ItemId item) const { return left_out.has(item) && left_out[item] != 0; }
 };
 
 }  // namespace layoutbox::placement

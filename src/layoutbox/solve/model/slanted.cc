@@ -66,24 +66,24 @@ void add_spans(const PlacementModel& model, Item& item) {
   }
 }
 
-Linear along2(const PlacementModel& model, int item, int heading) {
+Linear along2(const PlacementModel& model, ItemId item, int heading) {
   const Heading& h = model.headings[heading];
   return h.x * mid2(item, 0) + h.y * mid2(item, 1);
 }
 
-Linear span(const PlacementModel& model, int item, int heading) { return constant_of(item, model.items[item].spans + heading); }
+Linear span(const PlacementModel& model, ItemId item, int heading) { return constant_of(item, model.items[item].spans + heading); }
 
-Linear slanted_gap2(const PlacementModel& model, int item, const RoomWall& wall) {
+Linear slanted_gap2(const PlacementModel& model, ItemId item, const RoomWall& wall) {
   const std::int64_t line = dot(model.headings[wall.normal_heading], wall.start.x, wall.start.y);
   return wall.normal_sign * (along2(model, item, wall.normal_heading) - Linear(2 * line)) - span(model, item, wall.normal_heading);
 }
 
-Linear along_wall2(const PlacementModel& model, int item, const RoomWall& wall) {
+Linear along_wall2(const PlacementModel& model, ItemId item, const RoomWall& wall) {
   const std::int64_t from = dot(model.headings[wall.along_heading], wall.start.x, wall.start.y);
   return wall.along_sign * (along2(model, item, wall.along_heading) - Linear(2 * from));
 }
 
-Constraint within_walls(const PlacementModel& model, int item) {
+Constraint within_walls(const PlacementModel& model, ItemId item) {
   Constraint out;
   out.name = "within the walls: " + model.items[item].id;
   out.firmness = Firmness::kAlways;

@@ -16,16 +16,16 @@ void add_headings(PlacementModel& model);
 void add_spans(const PlacementModel& model, Item& item);
 
 // Twice the middle of an item along a heading, and how far it reaches along it from end to end; in parts of a millimetre (kHeading).
-Linear along2(const PlacementModel& model, int item, int heading);
-Linear span(const PlacementModel& model, int item, int heading);
+Linear along2(const PlacementModel& model, ItemId item, int heading);
+Linear span(const PlacementModel& model, ItemId item, int heading);
 
 // 2 · kHeading · the gap between the item and the line of a slanted wall; negative: beyond it.
-Linear slanted_gap2(const PlacementModel& model, int item, const RoomWall& wall);
+Linear slanted_gap2(const PlacementModel& model, ItemId item, const RoomWall& wall);
 // 2 · kHeading · how far the middle of the item is from the wall's start, along the wall.
-Linear along_wall2(const PlacementModel& model, int item, const RoomWall& wall);
+Linear along_wall2(const PlacementModel& model, ItemId item, const RoomWall& wall);
 
 // The item is before all slanted walls: beyond none of their lines, where it is beside the wall at all.
-Constraint within_walls(const PlacementModel& model, int item);
+Constraint within_walls(const PlacementModel& model, ItemId item);
 
 // The rest of the floor's bounding box that is not room, whole boxes only.
 std::vector<GridBox> off_limits_of(const PlacementModel& model);

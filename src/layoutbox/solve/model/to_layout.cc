@@ -36,7 +36,7 @@ std::string name_of_support(const PlacementModel& model, const SupportOption& op
 }
 
 // What was not moved keeps the very numbers it had: the solver's are whole millimetres and degrees.
-void keep_exactly(const PlacementModel& model, int index, const Placements& placements, PlacedObject& out) {
+void keep_exactly(const PlacementModel& model, ItemId index, const Placements& placements, PlacedObject& out) {
   if (!unmoved(model, index, placements)) return;
   if (const PlacedObject* earlier = model.from ? model.from->find_object(out.id) : nullptr) {
     if (earlier->size != out.size) return;
@@ -52,8 +52,8 @@ bool support_agrees(const PlacementModel& model, const Relation& relation, const
     return object ? object->supported_by : std::string();
   };
   const auto held_by = [&](const std::string& id, const std::string& reference) {
-    const int item = model.find_item(reference);
-    const bool floor = reference == "room" || (item >= 0 && model.items[item].thin);
+    const ItemId item = model.find_item(reference);
+    const bool floor = reference == "room" || (item.exists() && model.items[item].thin);
     if (floor) return holder_of(id) == "floor";
     std::string holder = holder_of(id);  // itself, or by way of what it stands on
     for (std::size_t storeys = 0; holder != reference && layout.find_object(holder) && storeys < layout.objects.size(); ++storeys)
@@ -69,7 +69,7 @@ bool support_agrees(const PlacementModel& model, const Relation& relation, const
     case RelationType::kIn:
       return std::all_of(targets.begin(), targets.end(), [&](const std::string& t) {
         return std::all_of(relation.references.begin(), relation.references.end(),
-                           [&](const std::string& r) { return model.find_item(r) < 0 || held_by(t, r); });
+                           [&](const std::string& r) { return !model.find_item(r).exists() || held_by(t, r); });
       });
     case RelationType::kOnWall:
       return std::all_of(targets.begin(), targets.end(), [&](const std::string& t) {
@@ -89,7 +89,7 @@ bool support_agrees(const PlacementModel& model, const Relation& relation, const
 }
 
 // Which of the item's supports holds where it is, that of which words speak before others; the nearest to holding where none does exactly.
-SupportOption support_of(const PlacementModel& model, int index, const Placements& placements) {
+SupportOption support_of(const PlacementModel& model, ItemId index, const Placements& placements) {
   const Item& item = model.items[index];
   const Formula& formula = model.constraints[item.support_constraint].formulas[0];
   std::size_t best = 0;
@@ -104,7 +104,7 @@ SupportOption support_of(const PlacementModel& model, int index, const Placement
   return item.supports[best];
 }
 
-PlacedObject placed_object(const PlacementModel& model, int index, const Placements& placements) {
+PlacedObject placed_object(const PlacementModel& model, ItemId index, const Placements& placements) {
   const Item& item = model.items[index];
   const SceneObject& object = *item.object;
   const Placement& p = placements[index];
@@ -121,7 +121,7 @@ PlacedObject placed_object(const PlacementModel& model, int index, const Placeme
   const SupportOption support = support_of(model, index, placements);
   out.supported_by = name_of_support(model, support);
   out.mount = item.mount;
-  const bool on_item = model.find_item(out.supported_by) >= 0;
+  const bool on_item = model.find_item(out.supported_by).exists();
   if (out.supported_by == "floor") {
     out.mount = Mount::kFloor;
   } else if (on_item && (item.mount != Mount::kHung || support.rests)) {
@@ -135,7 +135,7 @@ PlacedObject placed_object(const PlacementModel& model, int index, const Placeme
 }
 
 // The opening with the wall and offset it got.
-Opening placed_opening(const PlacementModel& model, int index, const Placements& placements) {
+Opening placed_opening(const PlacementModel& model, ItemId index, const Placements& placements) {
   const Item& item = model.items[index];
   Opening out = *item.opening;
   const GridBox box = box_of(item, placements[index]);
@@ -173,10 +173,9 @@ Layout to_layout(const PlacementModel& model, const Placements& placements) {
   layout.room = scene.room;
   layout.room.openings.clear();
   layout.materials = scene.materials;
-  for (std::size_t i = 0; i < model.items.size(); ++i) {
-    const int index = static_cast<int>(i);
-    if (placements[i].state < 0) continue;
-    if (model.items[i].is_opening()) {
+  for (const ItemId index : model.items.ids()) {
+    if (placements[index].state < 0) continue;
+    if (model.items[index].is_opening()) {
       layout.room.openings.push_back(placed_opening(model, index, placements));
     } else {
       layout.objects.push_back(placed_object(model, index, placements));

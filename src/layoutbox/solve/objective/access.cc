@@ -11,7 +11,7 @@ constexpr Mm kFar = 1 << 28;
 
 // Seats round a table that is used from all sides are not in its way: they are how it is used. Nor is the loft bed in the way of who sits
 // at the desk below.
-bool leaves_way_to(const PlacementModel& model, int body, int owner) {
+bool leaves_way_to(const PlacementModel& model, ItemId body, ItemId owner) {
   if (model.pair(body, owner) != PairRule::kSolids) return false;
   return model.items[body].stood_under || (model.items[body].is_seat && model.items[owner].takes_seats);
 }
@@ -43,13 +43,12 @@ std::int64_t permille(std::int64_t blocked, std::int64_t area) {
   return area == 0 ? 0 : std::min<std::int64_t>(1000, blocked * 1000 / area);
 }
 
-std::int64_t blocked_permille(const PlacementModel& model, const GridBox& floor, const Placements& placements, int owner) {
+std::int64_t blocked_permille(const PlacementModel& model, const GridBox& floor, const Placements& placements, ItemId owner) {
   std::int64_t blocked = beyond_room(model, floor);
-  for (std::size_t j = 0; j < model.items.size(); ++j) {
-    const int other = static_cast<int>(j);
-    if (other == owner || placements[j].state < 0) continue;
-    const GridBox body = box_of(model.items[j], placements[j]);
-    if (!overlap_in_plan(floor, body) || !blocks_floor(model.items[j], body) || leaves_way_to(model, other, owner)) continue;
+  for (const ItemId other : model.items.ids()) {
+    if (other == owner || placements[other].state < 0) continue;
+    const GridBox body = box_of(model.items[other], placements[other]);
+    if (!overlap_in_plan(floor, body) || !blocks_floor(model.items[other], body) || leaves_way_to(model, other, owner)) continue;
     blocked += shared_floor(floor, body);
   }
   return permille(blocked, floor_area(floor));
@@ -92,7 +91,7 @@ bool blocks_floor(const Item& item, const GridBox& box) {
   return !carried && !item.is_opening() && !item.thin && (box.lo[2] + box.hi[2]) / 2 <= kBodyReach;
 }
 
-bool surely_blocks(const PlacementModel& model, int body, int owner) {
+bool surely_blocks(const PlacementModel& model, ItemId body, ItemId owner) {
   const Item& item = model.items[body];
   const bool on_floor = item.supports.size() == 1 && item.supports[0].kind == SupportOption::Kind::kFloor;
   const auto low = [](const State& state) { return state.extent[2] <= 2 * kBodyReach; };
@@ -100,23 +99,22 @@ bool surely_blocks(const PlacementModel& model, int body, int owner) {
          std::all_of(item.states.begin(), item.states.end(), low);
 }
 
-Mm intrusion_of(const PlacementModel& model, int opening, const Placements& placements) {
+Mm intrusion_of(const PlacementModel& model, ItemId opening, const Placements& placements) {
   const Placement& p = placements[opening];
   Mm deepest = 0;
   for (const GridBox& clear : model.items[opening].states[p.state].clear) {
     const GridBox here = clear.shifted(p.at);
-    for (std::size_t j = 0; j < model.items.size(); ++j) {
-      const int other = static_cast<int>(j);
-      if (placements[j].state < 0 || model.items[j].is_opening() || model.pair(opening, other) == PairRule::kFree) continue;
-      const GridBox shared = intersection(here, box_of(model.items[j], placements[j]));
-      if (overlaps_box(model, model.items[j], placements[j], here))
+    for (const ItemId other : model.items.ids()) {
+      if (placements[other].state < 0 || model.items[other].is_opening() || model.pair(opening, other) == PairRule::kFree) continue;
+      const GridBox shared = intersection(here, box_of(model.items[other], placements[other]));
+      if (overlaps_box(model, model.items[other], placements[other], here))
         deepest = std::max(deepest, std::min({shared.extent(0), shared.extent(1), shared.extent(2)}));
     }
   }
   return deepest;
 }
 
-std::int64_t access_cost_of(const PlacementModel& model, int item, const Placements& placements) {
+std::int64_t access_cost_of(const PlacementModel& model, ItemId item, const Placements& placements) {
   const Item& self = model.items[item];
   const Placement& p = placements[item];
   if (self.is_opening()) return std::int64_t{intrusion_of(model, item, placements)} * kCostWeights.swing;
@@ -128,17 +126,16 @@ std::int64_t access_cost_of(const PlacementModel& model, int item, const Placeme
   return cost_of_claims(state.strips.size(), blocked_of(state.strips), state.wanted.size(), blocked_of(state.wanted));
 }
 
-std::vector<int> access_touched(const PlacementModel& model, const Placements& before, const Placements& after,
-                                const std::vector<int>& group) {
+std::vector<ItemId> access_touched(const PlacementModel& model, const Placements& before, const Placements& after,
+                                   const std::vector<ItemId>& group) {
   std::vector<GridBox> bodies;
-  for (const int member : group) {
+  for (const ItemId member : group) {
     for (const Placements* placements : {&before, &after}) bodies.push_back(box_of(model.items[member], (*placements)[member]));
   }
-  std::vector<int> touched;
-  for (std::size_t i = 0; i < model.items.size(); ++i) {
-    const int item = static_cast<int>(i);
-    if (after[i].state < 0) continue;
-    const GridBox claims = model.items[i].states[after[i].state].claims.shifted(after[i].at);
+  std::vector<ItemId> touched;
+  for (const ItemId item : model.items.ids()) {
+    if (after[item].state < 0) continue;
+    const GridBox claims = model.items[item].states[after[item].state].claims.shifted(after[item].at);
     const auto reaches = [&](const GridBox& body) { return overlap_in_plan(claims, body); };
     if (std::any_of(bodies.begin(), bodies.end(), reaches) || std::find(group.begin(), group.end(), item) != group.end())
       touched.push_back(item);
@@ -146,16 +143,15 @@ std::vector<int> access_touched(const PlacementModel& model, const Placements& b
   return touched;
 }
 
-void AccessProbe::start(const Placements& placements, int item) {
+void AccessProbe::start(const Placements& placements, ItemId item) {
   placements_ = &placements;
   item_ = item;
   bodies_.clear();
-  for (std::size_t j = 0; j < placements.size(); ++j) {
-    claims_[j].known = false;
-    const int other = static_cast<int>(j);
-    if (other == item || placements[j].state < 0) continue;
-    const GridBox box = box_of(model_.items[j], placements[j]);
-    if (blocks_floor(model_.items[j], box)) bodies_.push_back({other, box});
+  for (const ItemId other : placements.ids()) {
+    claims_[other].known = false;
+    if (other == item || placements[other].state < 0) continue;
+    const GridBox box = box_of(model_.items[other], placements[other]);
+    if (blocks_floor(model_.items[other], box)) bodies_.push_back({other, box});
   }
 }
 
@@ -172,16 +168,15 @@ void AccessProbe::focus(int state, const Vec3& lo, const Vec3& hi) {
   for (const Body& other : bodies_) {
     if (overlap_in_plan(floor, other.box) && !leaves_way_to(model_, other.item, item_)) near_bodies_.push_back(other);
   }
-  for (std::size_t j = 0; j < placements_->size(); ++j) {
-    const int other = static_cast<int>(j);
-    const Placement& there = (*placements_)[j];
-    if (other == item_ || there.state < 0 || !wants_floor(model_.items[j], there.at)) continue;
-    const GridBox& claims = model_.items[j].states[there.state].claims;
+  for (const ItemId other : placements_->ids()) {
+    const Placement& there = (*placements_)[other];
+    if (other == item_ || there.state < 0 || !wants_floor(model_.items[other], there.at)) continue;
+    const GridBox& claims = model_.items[other].states[there.state].claims;
     if (overlap_in_plan(body, claims.shifted(there.at)) && !leaves_way_to(model_, item_, other)) near_owners_.push_back(other);
   }
 }
 
-AccessProbe::Claim AccessProbe::claim_of(const GridBox& floor, int owner, const std::vector<Body>& bodies) const {
+AccessProbe::Claim AccessProbe::claim_of(const GridBox& floor, ItemId owner, const std::vector<Body>& bodies) const {
   Claim claim{floor, floor_area(floor), beyond_room(model_, floor)};
   for (const Body& body : bodies) {
     if (body.item == owner || !overlap_in_plan(floor, body.box) || leaves_way_to(model_, body.item, owner)) continue;
@@ -190,7 +185,7 @@ AccessProbe::Claim AccessProbe::claim_of(const GridBox& floor, int owner, const 
   return claim;
 }
 
-const AccessProbe::Claims& AccessProbe::claims_of(int owner) {
+const AccessProbe::Claims& AccessProbe::claims_of(ItemId owner) {
   Claims& claims = claims_[owner];
   if (claims.known) return claims;
   const Placement& there = (*placements_)[owner];
@@ -222,7 +217,7 @@ std::int64_t AccessProbe::cost_at(const Vec3& at, std::int64_t enough) {
   }
   const GridBox body = box_of(self, {state_, at});
   if (!blocks_floor(self, body)) return cost;
-  for (const int owner : near_owners_) {
+  for (const ItemId owner : near_owners_) {
     if (cost >= enough) return cost;
     const Placement& there = (*placements_)[owner];
     if (!overlap_in_plan(body, model_.items[owner].states[there.state].claims.shifted(there.at))) continue;

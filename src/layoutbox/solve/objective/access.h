@@ -16,17 +16,17 @@ void note_floor_use(Item& item);
 bool blocks_floor(const Item& item, const GridBox& box);
 
 // Does `body`, which stands on the floor whenever it is there, count as in the way of the floor that `owner` wants?
-bool surely_blocks(const PlacementModel& model, int body, int owner);
+bool surely_blocks(const PlacementModel& model, ItemId body, ItemId owner);
 
 // How far the body that reaches farthest into the clear box of an opening does so, in millimetres.
-Mm intrusion_of(const PlacementModel& model, int opening, const Placements& placements);
+Mm intrusion_of(const PlacementModel& model, ItemId opening, const Placements& placements);
 
 // Cost of the strips and wanted floors of one placed item; of a door or window, of what reaches into its swing.
-std::int64_t access_cost_of(const PlacementModel& model, int item, const Placements& placements);
+std::int64_t access_cost_of(const PlacementModel& model, ItemId item, const Placements& placements);
 
 // The items for which that may have changed since things stood as in `before`, where only those of the group have moved.
-std::vector<int> access_touched(const PlacementModel& model, const Placements& before, const Placements& after,
-                                const std::vector<int>& group);
+std::vector<ItemId> access_touched(const PlacementModel& model, const Placements& before, const Placements& after,
+                                   const std::vector<ItemId>& group);
 
 // What one item costs in many places while the others stay: its own floor, and what it takes of theirs.
 class AccessProbe {
@@ -34,7 +34,7 @@ class AccessProbe {
   explicit AccessProbe(const PlacementModel& model) : model_(model), claims_(model.items.size()) {}
 
   // REQUIRES: `placements` stay as they are until the next call. The item itself is taken as not placed.
-  void start(const Placements& placements, int item);
+  void start(const Placements& placements, ItemId item);
   // The low corner will lie between these.
   void focus(int state, const Vec3& lo, const Vec3& hi);
   // Where it comes to `enough`, perhaps less than all of it, but so much.
@@ -42,7 +42,7 @@ class AccessProbe {
 
  private:
   struct Body {
-    int item = -1;
+    ItemId item;
     GridBox box;
   };
   struct Claim {
@@ -55,15 +55,16 @@ class AccessProbe {
     std::int64_t cost = 0;
   };
 
-  const Claims& claims_of(int owner);
-  Claim claim_of(const GridBox& floor, int owner, const std::vector<Body>& bodies) const;
+  const Claims& claims_of(ItemId owner);
+  Claim claim_of(const GridBox& floor, ItemId owner, const std::vector<Body>& bodies) const;
 
   const PlacementModel& model_;
   const Placements* placements_ = nullptr;
-  int item_ = -1, state_ = -1;
+  ItemId item_;
+  int state_ = -1;
   std::vector<Body> bodies_, near_bodies_;
-  std::vector<int> near_owners_;
-  std::vector<Claims> claims_;  // by item
+  std::vector<ItemId> near_owners_;
+  ById<ItemId, Claims> claims_;
 };
 
 }  // namespace layoutbox::placement

@@ -39,7 +39,7 @@ inline std::int64_t size_cost(const State& state) { return kPoint * kCostWeights
 // Thousandths of the free floor that hang together for a person 0.2 m wide (largest part of all).
 int walk_permille(const PlacementModel& model, const Placements& placements);
 // Can somebody `width` wide walk from a door to a place beside the item?
-bool reachable(const PlacementModel& model, int item, Mm width, const Placements& placements);
+bool reachable(const PlacementModel& model, ItemId item, Mm width, const Placements& placements);
 
 // Cost of cut off floor, and of `reachable` relations that do not hold; where it comes to `enough`, perhaps less than all of it, but so
 // much.

@@ -12,11 +12,12 @@ void KnownCosts::forget(const PlacementModel& model) {
 // What the difference does not touch stays known.
 void KnownCosts::are_of(const PlacementModel& model, const Placements& placements) {
   if (of_ == placements && !known_.empty()) return;
-  std::vector<int> moved;
+  std::vector<ItemId> moved;
   bool fresh = known_.empty();
-  for (std::size_t i = 0; i < placements.size() && !fresh; ++i) {
+  for (const ItemId i : placements.ids()) {
+    if (fresh) break;
     if (of_[i] == placements[i]) continue;
-    moved.push_back(static_cast<int>(i));
+    moved.push_back(i);
     fresh = of_[i].state < 0 || placements[i].state < 0;
   }
   if (fresh) forget(model);

@@ -18,12 +18,16 @@ std::size_t count_constraints(const PlacementModel& model) { return model.constr
 std::size_t count_one(const PlacementModel&) { return 1; }
 
 // ---- sizes: a share an item
-std::int64_t evaluate_size(const PlacementModel& model, std::size_t item, const Placements& placements, std::int64_t) {
+std::int64_t evaluate_size(const PlacementModel& model, std::size_t share, const Placements& placements, std::int64_t) {
+  const ItemId item(share);
   const int state = placements[item].state;
   return state < 0 ? 0 : size_cost(model.items[item].states[state]);
 }
 
-void touched_sizes(const PlacementModel&, const Change& change, Shares& shares) { shares.assign(change.moved.begin(), change.moved.end()); }
+void touched_sizes(const PlacementModel&, const Change& change, Shares& shares) {
+  shares.clear();
+  for (const ItemId item : change.moved) shares.push_back(item.index());
+}
 
 std::int64_t least_size(const Standing& standing, std::int64_t) { return size_cost(standing.state); }
 
@@ -43,7 +47,7 @@ std::int64_t evaluate_wish(const PlacementModel& model, std::size_t constraint, 
 
 void touched_wishes(const PlacementModel& model, const Change& change, Shares& shares) {
   shares.clear();
-  for (const int item : change.moved) {
+  for (const ItemId item : change.moved) {
     for (const ConstraintId c : model.touching[item]) shares.push_back(c.index());
   }
   std::sort(shares.begin(), shares.end());
@@ -59,13 +63,14 @@ constexpr std::array<Price, 3> kAccessPrices{
      {kCostWeights.wanted, "a side at which the catalogue's clearance is blocked"},
      {kCostWeights.swing, "a metre that something reaches into a door's swing that had to be given up"}}};
 
-std::int64_t evaluate_access(const PlacementModel& model, std::size_t item, const Placements& placements, std::int64_t) {
-  return placements[item].state < 0 ? 0 : access_cost_of(model, static_cast<int>(item), placements);
+std::int64_t evaluate_access(const PlacementModel& model, std::size_t share, const Placements& placements, std::int64_t) {
+  const ItemId item(share);
+  return placements[item].state < 0 ? 0 : access_cost_of(model, item, placements);
 }
 
 void touched_access(const PlacementModel& model, const Change& change, Shares& shares) {
-  const std::vector<int> items = access_touched(model, change.before, change.after, change.moved);
-  shares.assign(items.begin(), items.end());
+  shares.clear();
+  for (const ItemId item : access_touched(model, change.before, change.after, change.moved)) shares.push_back(item.index());
 }
 
 // ---- ways: one share

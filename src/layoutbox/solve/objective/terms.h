@@ -19,7 +19,7 @@ inline constexpr std::int64_t kAllOfIt = std::numeric_limits<std::int64_t>::max(
 struct Change {
   const Placements& before;
   const Placements& after;
-  const std::vector<int>& moved;
+  const std::vector<ItemId>& moved;
 };
 
 // One item in one state somewhere in a region, while all else stays.

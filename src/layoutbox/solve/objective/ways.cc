@@ -31,7 +31,7 @@ class WalkRaster {
     block({{r.lo[0], r.lo[1] - 1000, 0}, {r.hi[0], r.lo[1], 0}});
     block({{r.lo[0], r.hi[1], 0}, {r.hi[0], r.hi[1] + 1000, 0}});
     for (const GridBox& outside : model.outside) block(outside);
-    for (std::size_t i = 0; i < model.items.size(); ++i) {
+    for (const ItemId i : model.items.ids()) {
       if (placements[i].state < 0) continue;
       const GridBox box = box_of(model.items[i], placements[i]);
       const Item& item = model.items[i];
@@ -207,7 +207,7 @@ GridBox place_before(const GridBox& body, Direction side, Mm off) {
 
 std::vector<GridBox> places_before_doors(const PlacementModel& model, const Placements& placements, Mm near) {
   std::vector<GridBox> doors;
-  for (std::size_t i = 0; i < model.items.size(); ++i) {
+  for (const ItemId i : model.items.ids()) {
     const Item& door = model.items[i];
     if (!door.is_opening() || door.opening->type == OpeningType::kWindow || placements[i].state < 0) continue;
     doors.push_back(
@@ -223,7 +223,7 @@ int without_wide_way(const PlacementModel& model, const Placements& placements) 
   WalkRaster raster(model, placements, kWideWay / 2, false, 50);
   raster.walk_from(doors);
   int count = 0;
-  for (std::size_t i = 0; i < model.items.size(); ++i) {
+  for (const ItemId i : model.items.ids()) {
     const Item& item = model.items[i];
     const Placement& p = placements[i];
     if (p.state < 0 || item.is_opening() || item.thin || p.at[2] > 50) continue;
@@ -240,7 +240,7 @@ int without_wide_way(const PlacementModel& model, const Placements& placements) 
 
 }  // namespace
 
-bool reachable(const PlacementModel& model, int item, Mm width, const Placements& placements) {
+bool reachable(const PlacementModel& model, ItemId item, Mm width, const Placements& placements) {
   if (placements[item].state < 0) return false;
   const Mm near = width / 2 + kArmLength;
   const std::vector<GridBox> doors = places_before_doors(model, placements, near);

@@ -43,12 +43,12 @@ Mm hi_of(const PlacementModel& model, const PartOfRoom& part, int axis) { return
 
 }  // namespace
 
-std::vector<PartOfRoom> parts_of_room(const PlacementModel& model, const std::vector<std::vector<int>>& groups) {
+std::vector<PartOfRoom> parts_of_room(const PlacementModel& model, const std::vector<std::vector<ItemId>>& groups) {
   std::vector<PartOfRoom> parts(groups.size());
   if (groups.size() < 2) return parts;
   std::vector<std::int64_t> wanted;
   std::int64_t all = 0, before = 0;
-  for (const std::vector<int>& group : groups) {
+  for (const std::vector<ItemId>& group : groups) {
     const Item& first = model.items[group[0]];
     const auto [across, deep] = gaps_of(first);
     const Size& size = first.states[0].size;
@@ -198,17 +198,17 @@ class FormationPlace {
   Formula& f_;
   const PlacementModel& model_;
   const FormationOf& of_;
-  const int item_;
+  const ItemId item_;
   const Item& first_;
 };
 
 }  // namespace
 
 void add_formation_place(Formula& f, const PlacementModel& model, const FormationOf& of) {
-  const int item = of.group[of.k];
+  const ItemId item = of.group[of.k];
   const Item& first = model.items[of.group[0]];
   FormationPlace places(f, model, of);
-  if (!first.has_front && of.counter >= 0) {
+  if (!first.has_front && of.counter.exists()) {
     const Item& bar = model.items[of.counter];
     for_each_turn(bar, [&](int turn, std::uint64_t turned) {
       const std::uint64_t states = states_with_width_along(model.items[item], 0);
@@ -218,7 +218,7 @@ void add_formation_place(Formula& f, const PlacementModel& model, const Formatio
     });
     if (!f.cases.empty()) return;
   }
-  if (first.is_seat && of.counter >= 0) {  // who waits looks at who serves
+  if (first.is_seat && of.counter.exists()) {  // who waits looks at who serves
     for_each_turn(model.items[of.counter], [&](int turn, std::uint64_t turned) {
       const Item& desk = model.items[of.counter];
       if (!quarter(turn)) return;
@@ -241,8 +241,9 @@ void add_formation_place(Formula& f, const PlacementModel& model, const Formatio
 }
 
 void add_island_place(Formula& f, const PlacementModel& model, const FormationOf& of) {
-  const std::vector<int>& group = of.group;
-  const int k = of.k, item = group[k], pairs = (static_cast<int>(group.size()) + 1) / 2, pair = k / 2;
+  const std::vector<ItemId>& group = of.group;
+  const int k = of.k, pairs = (static_cast<int>(group.size()) + 1) / 2, pair = k / 2;
+  const ItemId item = group[k];
   const Size& desk = model.items[group[0]].states[0].size;
   const auto extent = [&](int axis) { return hi_of(model, of.part, axis) - lo_of(model, of.part, axis); };
   const Size island{desk.width, 2 * (desk.depth + kSeatOfIsland), desk.height};
@@ -275,7 +276,8 @@ void add_island_place(Formula& f, const PlacementModel& model, const FormationOf
     if (k == 0) return;
     // In line with its mate, back to back, or with the island beside or before.
     const bool mate = k % 2 == 1;
-    const int neighbour = mate ? pair : pair % form.columns > 0 ? pair - 1 : pair - form.columns, other = group[2 * neighbour];
+    const int neighbour = mate ? pair : pair % form.columns > 0 ? pair - 1 : pair - form.columns;
+    const ItemId other = group[2 * neighbour];
     const auto [next_along, next_deep] = place_of(neighbour);
     c.wish(mid2(item, row_axis) - mid2(other, row_axis) - Linear(along - next_along), of.in_line, 2);
     c.wish(mid2(item, back.axis) - mid2(other, back.axis) - Linear(deep - next_deep - (mate ? 2 * back.sign * desk.depth : 0)), of.in_line,
@@ -285,7 +287,7 @@ void add_island_place(Formula& f, const PlacementModel& model, const FormationOf
   if (k % 2 == 1) std::ranges::reverse(f.cases);
 }
 
-void add_seat_place(Formula& f, const PlacementModel& model, int seat, int table, int k, int n, int weight, bool long_sides) {
+void add_seat_place(Formula& f, const PlacementModel& model, ItemId seat, ItemId table, int k, int n, int weight, bool long_sides) {
   const Item &chair = model.items[seat], &host = model.items[table];
   const Size &size = host.states[0].size, &own = chair.states[0].size;
   Side side = used_side(host);

@@ -34,7 +34,7 @@ struct PartOfRoom {
 };
 
 // The parts of several formations, in their order: the longer side is shared out by the floor that each wants.
-std::vector<PartOfRoom> parts_of_room(const PlacementModel& model, const std::vector<std::vector<int>>& groups);
+std::vector<PartOfRoom> parts_of_room(const PlacementModel& model, const std::vector<std::vector<ItemId>>& groups);
 
 // The formation of n things of that size with at least those gaps that fits the room's shape best; 0 columns where none fits.
 // `room_across` and `room_deep` are the room's extents along and across the rows.
@@ -42,7 +42,7 @@ Formation formation_of(int n, const Size& size, Mm gap_across, Mm gap_deep, Mm r
 
 // Whose place in a formation is wished for: group[k]'s.
 struct FormationOf {
-  const std::vector<int>& group;
+  const std::vector<ItemId>& group;
   int k = 0;
   int columns = 0;              // 0: as suits the room
   int weight = 0, in_line = 0;  // of the place in the room, and of that beside its neighbour
@@ -50,7 +50,7 @@ struct FormationOf {
   Mm seats = 0;                 // behind each, for the seat of who looks over it
   Mm in_view = 0;               // as wide is what each of them is told to look at; 0: one looks for all
   int leader = -1;              // the one of them who has to see it straight ahead
-  int counter = -1;             // what they stand before, and not behind or where its own place is
+  ItemId counter = {};          // what they stand before, and not behind or where its own place is
   PartOfRoom part = {};
 };
 
@@ -61,6 +61,6 @@ void add_formation_place(Formula& f, const PlacementModel& model, const Formatio
 void add_island_place(Formula& f, const PlacementModel& model, const FormationOf& of);
 
 // Wishes for seat k of n at a table used all round (shared out over its sides, or its two long ones), or at the side where a desk is used.
-void add_seat_place(Formula& f, const PlacementModel& model, int seat, int table, int k, int n, int weight, bool long_sides = false);
+void add_seat_place(Formula& f, const PlacementModel& model, ItemId seat, ItemId table, int k, int n, int weight, bool long_sides = false);
 
 }  // namespace layoutbox::placement

@@ -93,12 +93,12 @@ Placement start_of_opening(const PlacementModel& model, const Item& item, const 
 }
 
 // The item that held this one up, where it is there and has a place too.
-int earlier_host(const PlacementModel& model, int index) {
+ItemId earlier_host(const PlacementModel& model, ItemId index) {
   const PlacedObject* earlier = model.from ? model.from->find_object(model.items[index].id) : nullptr;
-  const int host = earlier ? model.find_item(earlier->supported_by) : -1;
+  const ItemId host = earlier ? model.find_item(earlier->supported_by) : ItemId();
   const auto rests_on_it = [&](const SupportOption& s) { return s.kind == SupportOption::Kind::kItem && s.item == host; };
   const auto& supports = model.items[index].supports;
-  return host >= 0 && std::any_of(supports.begin(), supports.end(), rests_on_it) ? host : -1;
+  return host.exists() && std::any_of(supports.begin(), supports.end(), rests_on_it) ? host : ItemId();
 }
 
 bool height_is_free(const Item& item) { return item.mount == Mount::kWall || item.mount == Mount::kHung; }
@@ -109,7 +109,7 @@ std::int64_t middle2(const Item& item, const Placement& p, int axis) {
 }
 
 // Near its place in the room.
-Formula stay_in_room(const PlacementModel& model, int index) {
+Formula stay_in_room(const PlacementModel& model, ItemId index) {
   const Item& item = model.items[index];
   const Placement& start = model.start[index];
   const int axes = height_is_free(item) ? 3 : 2;
@@ -126,7 +126,7 @@ Formula stay_in_room(const PlacementModel& model, int index) {
 }
 
 // Near its place on what holds it, wherever that goes.
-Formula stay_on_host(const PlacementModel& model, int index, int host) {
+Formula stay_on_host(const PlacementModel& model, ItemId index, ItemId host) {
   const Item &item = model.items[index], &under = model.items[host];
   const Placement &start = model.start[index], &base = model.start[host];
   const int was = under.states[base.state].turn;
@@ -155,7 +155,7 @@ Formula stay_on_host(const PlacementModel& model, int index, int host) {
   return f;
 }
 
-void add_lock(PlacementModel& model, int index) {
+void add_lock(PlacementModel& model, ItemId index) {
   const Item& item = model.items[index];
   const Placement& start = model.start[index];
   Constraint lock;
@@ -164,7 +164,7 @@ void add_lock(PlacementModel& model, int index) {
   lock.firmness = Firmness::kHard;
   lock.weight = kLockWeight;
   Case& c = lock.formulas.emplace_back().add().when(index, std::uint64_t{1} << start.state);
-  const int axes = height_is_free(item) || earlier_host(model, index) >= 0 ? 3 : 2;
+  const int axes = height_is_free(item) || earlier_host(model, index).exists() ? 3 : 2;
   for (int k = 0; k < axes; ++k) c.require_small(lo(index, k) - Linear(start.at[k]), 0);
   model.constraints.push_back(std::move(lock));
 }
@@ -190,7 +190,7 @@ Status find_starts(PlacementModel& model, const ModelOptions& options) {
   if (!options.from && options.locked.empty()) return {};
   model.from = options.from;
   model.start.assign(model.items.size(), {});
-  for (std::size_t i = 0; i < model.items.size(); ++i) {
+  for (const ItemId i : model.items.ids()) {
     const Item& item = model.items[i];
     if (item.is_opening()) {
       const Opening* earlier = options.from ? options.from->find_opening(item.id) : nullptr;
@@ -200,8 +200,8 @@ Status find_starts(PlacementModel& model, const ModelOptions& options) {
     }
   }
   for (const std::string& id : options.locked) {
-    const int index = model.find_item(id);
-    if (index < 0) return fail(ErrorCode::kReference, fmt::format("\"{}\" is to stay where it is, but there is no such object", id));
+    const ItemId index = model.find_item(id);
+    if (!index.exists()) return fail(ErrorCode::kReference, fmt::format("\"{}\" is to stay where it is, but there is no such object", id));
     Item& item = model.items[index];
     if (item.fixed || (item.is_opening() && item.opening->offset)) continue;  // it stays anyway
     if (model.start[index].state < 0) {
@@ -214,17 +214,16 @@ Status find_starts(PlacementModel& model, const ModelOptions& options) {
 }
 
 void add_stays(PlacementModel& model) {
-  for (std::size_t i = 0; i < model.start.size(); ++i) {
-    const int index = static_cast<int>(i);
-    if (model.start[i].state < 0) continue;
-    if (model.items[i].locked) {
+  for (const ItemId index : model.start.ids()) {
+    if (model.start[index].state < 0) continue;
+    if (model.items[index].locked) {
       add_lock(model, index);
       continue;
     }
-    const int host = earlier_host(model, index);
-    const bool on_host = host >= 0 && model.start[host].state >= 0;
+    const ItemId host = earlier_host(model, index);
+    const bool on_host = host.exists() && model.start[host].state >= 0;
     Constraint& stay = model.constraints.emplace_back();
-    stay.name = "stay: " + model.items[i].id;
+    stay.name = "stay: " + model.items[index].id;
     stay.firmness = Firmness::kSoft;
     stay.weight = 3 * kStay;  // the exact place is no cheap way round the wishes
     stay.stay = true;
@@ -235,17 +234,16 @@ void add_stays(PlacementModel& model) {
 
 void add_differences(PlacementModel& model, const std::vector<const Layout*>& unlike) {
   if (unlike.empty()) return;
-  std::vector<int> largest;
-  for (std::size_t i = 0; i < model.items.size(); ++i) {
+  std::vector<ItemId> largest;
+  for (const ItemId i : model.items.ids()) {
     const Item& item = model.items[i];
-    if (!item.is_opening() && !item.thin && !item.fixed && !item.locked && item.mount == Mount::kFloor)
-      largest.push_back(static_cast<int>(i));
+    if (!item.is_opening() && !item.thin && !item.fixed && !item.locked && item.mount == Mount::kFloor) largest.push_back(i);
   }
-  const auto area = [&](int i) { return std::int64_t{model.items[i].states[0].size.width} * model.items[i].states[0].size.depth; };
-  std::stable_sort(largest.begin(), largest.end(), [&](int a, int b) { return area(a) > area(b); });
+  const auto area = [&](ItemId i) { return std::int64_t{model.items[i].states[0].size.width} * model.items[i].states[0].size.depth; };
+  std::stable_sort(largest.begin(), largest.end(), [&](ItemId a, ItemId b) { return area(a) > area(b); });
   if (largest.size() > kDifferentThings) largest.resize(kDifferentThings);
   for (std::size_t rank = 0; rank < largest.size(); ++rank) {
-    const int index = largest[rank];
+    const ItemId index = largest[rank];
     const Item& item = model.items[index];
     for (const Layout* layout : unlike) {
       const PlacedObject* there = layout->find_object(item.id);

@@ -26,7 +26,7 @@ void add_stays(PlacementModel& model);
 void add_differences(PlacementModel& model, const std::vector<const Layout*>& unlike);
 
 // Its state and place are those of the earlier layout.
-inline bool unmoved(const PlacementModel& model, int item, const Placements& placements) {
+inline bool unmoved(const PlacementModel& model, ItemId item, const Placements& placements) {
   return !model.start.empty() && model.start[item].state >= 0 && placements[item] == model.start[item];
 }
 

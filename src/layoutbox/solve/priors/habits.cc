@@ -20,16 +20,16 @@ Habits::Habits(PlacementModel& model) : model_(model), said_of_(model.items.size
   for (const Relation& relation : model.scene->relations) {
     for (const auto* ids : {&relation.targets, &relation.references}) {
       for (const std::string& id : *ids) {
-        const int item = model.find_item(id);
-        if (item < 0) continue;
-        auto& said = said_of_[static_cast<std::size_t>(item)];
+        const ItemId item = model.find_item(id);
+        if (!item.exists()) continue;
+        auto& said = said_of_[item];
         if (said.empty() || said.back() != &relation) said.push_back(&relation);
       }
     }
   }
 }
 
-void Habits::add(int index) {
+void Habits::add(ItemId index) {
   const Item& item = model_.items[index];
   if (item.is_opening()) {
     open_well(index);
@@ -56,7 +56,7 @@ void Habits::add(int index) {
   stand(index);
 }
 
-void Habits::stand(int index) {
+void Habits::stand(ItemId index) {
   const Item& item = model_.items[index];
   sit_on_host(index);
   lie_straight(index);
@@ -90,8 +90,8 @@ void Habits::stand(int index) {
     stand_at_window(index);
   } else if (item.entry->back_to_wall) {
     // The nightstands of a bed in the middle of the room stay beside it.
-    const std::vector<int> hosts = with_host ? usual_hosts(index) : std::vector<int>{};
-    const bool by_free = std::ranges::any_of(hosts, [&](int host) { return related(index, host) && told_to_stand_free(host); });
+    const std::vector<ItemId> hosts = with_host ? usual_hosts(index) : std::vector<ItemId>{};
+    const bool by_free = std::ranges::any_of(hosts, [&](ItemId host) { return related(index, host) && told_to_stand_free(host); });
     if (!by_free && !told_to_stand_free(index)) back_to_wall(index, kBackToWall);
     stand_in_run(index);
     stand_in_table_axis(index);
@@ -113,7 +113,7 @@ void Habits::stand(int index) {
 }
 
 // What goes with nothing, and is told no place.
-void Habits::stand_by_itself(int index, bool looks) {
+void Habits::stand_by_itself(ItemId index, bool looks) {
   const Item& item = model_.items[index];
   const bool alone = is_sat_at_alone(index);
   const bool all_round = used_sides(item).size() >= 4 && !item.is(Trait::kSeat) && rank_of(index) == 0 && !alone;
@@ -127,7 +127,7 @@ void Habits::stand_by_itself(int index, bool looks) {
   }
 }
 
-Constraint& Habits::habit(const std::string& what, int item, int weight, Formula formula, std::vector<int> hosts) {
+Constraint& Habits::habit(const std::string& what, ItemId item, int weight, Formula formula, std::vector<ItemId> hosts) {
   Constraint& c = model_.constraints.emplace_back();
   c.name = what + ": " + model_.items[item].id;
   c.firmness = Firmness::kSoft;
@@ -137,11 +137,10 @@ Constraint& Habits::habit(const std::string& what, int item, int weight, Formula
   return c;
 }
 
-std::vector<int> Habits::items_of_kinds(const std::vector<std::string>& kinds, int except) const {
-  std::vector<int> found;
+std::vector<ItemId> Habits::items_of_kinds(const std::vector<std::string>& kinds, ItemId except) const {
+  std::vector<ItemId> found;
   for (const std::string& kind : kinds) {
-    for (std::size_t i = 0; i < model_.items.size(); ++i) {
-      const int index = static_cast<int>(i);
+    for (const ItemId index : model_.items.ids()) {
       if (index != except && model_.is_a(index, kind) && std::find(found.begin(), found.end(), index) == found.end())
         found.push_back(index);
     }
@@ -150,28 +149,28 @@ std::vector<int> Habits::items_of_kinds(const std::vector<std::string>& kinds, i
 }
 
 // The how-manieth of its kind this is.
-int Habits::rank_of(int item) const {
+int Habits::rank_of(ItemId item) const {
   int rank = 0;
-  for (int i = 0; i < item; ++i) rank += model_.items[i].entry == model_.items[item].entry;
+  for (const ItemId i : ids_before(item)) rank += model_.items[i].entry == model_.items[item].entry;
   return rank;
 }
 
 // Does a relation of the scene already say how these two stand to each other?
-bool Habits::related(int a, int b) const {
+bool Habits::related(ItemId a, ItemId b) const {
   return std::ranges::any_of(said_of(a), [&](const Relation* r) { return ties(*r, model_.items[a].id, model_.items[b].id); });
 }
 
-bool Habits::related_by_any(int a, int b, RelationSet types) const {
+bool Habits::related_by_any(ItemId a, ItemId b, RelationSet types) const {
   return std::ranges::any_of(said_of(a),
                              [&](const Relation* r) { return types.has(r->type) && ties(*r, model_.items[a].id, model_.items[b].id); });
 }
 
-bool Habits::only_related_by(int a, int b, RelationSet types) const {
+bool Habits::only_related_by(ItemId a, ItemId b, RelationSet types) const {
   return std::ranges::none_of(said_of(a),
                               [&](const Relation* r) { return !types.has(r->type) && ties(*r, model_.items[a].id, model_.items[b].id); });
 }
 
-bool Habits::related_as_target(int item, int reference, RelationType type) const {
+bool Habits::related_as_target(ItemId item, ItemId reference, RelationType type) const {
   const std::string &x = model_.items[item].id, &y = model_.items[reference].id;
   return std::ranges::any_of(said_of(item), [&](const Relation* r) {
     return r->type == type && std::ranges::find(r->targets, x) != r->targets.end() &&
@@ -179,25 +178,25 @@ bool Habits::related_as_target(int item, int reference, RelationType type) const
   });
 }
 
-bool Habits::placed_by_relation(int item) const {
+bool Habits::placed_by_relation(ItemId item) const {
   return std::ranges::any_of(said_of(item),
                              [&](const Relation* r) { return std::ranges::find(r->targets, model_.items[item].id) != r->targets.end(); });
 }
 
 // A table for children or toys that nobody there sits at, beside the sofa's group: not in the middle of it.
-bool Habits::is_low_aside(int item) const {
+bool Habits::is_low_aside(ItemId item) const {
   const Item& self = model_.items[item];
   return self.is(Trait::kTable) && !self.is(Trait::kCoffeeTable) && self.states[0].size.height < measures().sat_at_from;
 }
 
 // Is a door or window all that it is told to be by? Then it stands at the wall there, a coat stand or a cat tree, not in the way.
-bool Habits::only_told_opening(int item) const {
+bool Habits::only_told_opening(ItemId item) const {
   bool told = false;
   for (const Relation& r : model_.scene->relations) {
     if (std::ranges::find(r.targets, model_.items[item].id) == r.targets.end()) continue;
     const bool opening = std::ranges::all_of(r.references, [&](const std::string& id) {
-      const int other = model_.find_item(id);
-      return other >= 0 && model_.items[other].is_opening();
+      const ItemId other = model_.find_item(id);
+      return other.exists() && model_.items[other].is_opening();
     });
     if (!traits_of(r.type).close_by || !opening) return false;
     told = true;
@@ -206,7 +205,7 @@ bool Habits::only_told_opening(int item) const {
 }
 
 // Told to be in the middle or off the walls, or to part two groups.
-bool Habits::told_to_stand_free(int item) const {
+bool Habits::told_to_stand_free(ItemId item) const {
   if (divided_by(item)) return true;
   return std::ranges::any_of(model_.scene->relations, [&](const Relation& r) {
     return (r.type == RelationType::kCenterOfRoom || r.type == RelationType::kAwayFromWall) &&
@@ -214,7 +213,7 @@ bool Habits::told_to_stand_free(int item) const {
   });
 }
 
-void Habits::keep_hint(int item) {
+void Habits::keep_hint(ItemId item) {
   const SceneObject& object = *model_.items[item].object;
   if (!model_.start.empty() && model_.start[item].state >= 0) return;  // an earlier layout says more
   if (object.hint.rotation_deg) keep_turn(item, *object.hint.rotation_deg);
@@ -228,7 +227,7 @@ void Habits::keep_hint(int item) {
 }
 
 // The scene's own turn holds before everything that makes rooms good, unless what is asked for says otherwise; it is no part of the score.
-void Habits::keep_turn(int item, double degrees) {
+void Habits::keep_turn(ItemId item, double degrees) {
   const Item& self = model_.items[item];
   const bool square = self.states[0].size.width == self.states[0].size.depth;
   std::uint64_t states = 0;
@@ -244,7 +243,7 @@ void Habits::keep_turn(int item, double degrees) {
 
 void add_habits(PlacementModel& model) {
   Habits habits(model);
-  for (std::size_t i = 0; i < model.items.size(); ++i) habits.add(static_cast<int>(i));
+  for (const ItemId i : model.items.ids()) habits.add(i);
   habits.spread();
 }
 

@@ -13,12 +13,12 @@ constexpr int kInRun = 250, kTwins = 300, kOfRun = 450;  // points a metre
 }  // namespace
 
 // Twins with something between them (beds and a nightstand) stand side by side, turned alike, as far apart as that needs.
-bool Habits::stand_as_twin(int item) {
+bool Habits::stand_as_twin(ItemId item) {
   const Item& self = model_.items[item];
   for (const Relation& r : model_.scene->relations) {
     if (r.type != RelationType::kBetween || r.references.size() != 2 || r.targets.empty() || r.references[1] != self.id) continue;
-    const int twin = model_.find_item(r.references[0]), middle = model_.find_item(r.targets[0]);
-    if (twin < 0 || middle < 0 || model_.items[twin].entry != self.entry || !self.entry->back_to_wall) continue;
+    const ItemId twin = model_.find_item(r.references[0]), middle = model_.find_item(r.targets[0]);
+    if (!twin.exists() || !middle.exists() || model_.items[twin].entry != self.entry || !self.entry->back_to_wall) continue;
     if (model_.items[middle].mount != Mount::kFloor) continue;
     const Mm apart = model_.items[middle].states[0].size.width + kTwinAir;
     Formula f;
@@ -43,18 +43,18 @@ bool Habits::stand_as_twin(int item) {
 }
 
 // Kitchen units and machines stand side by side in one run.
-void Habits::stand_in_run(int item) {
-  const auto in_runs = [&](int i) {
+void Habits::stand_in_run(ItemId item) {
+  const auto in_runs = [&](ItemId i) {
     return model_.items[i].mount == Mount::kFloor && model_.items[i].entry->back_to_wall && model_.items[i].is(Trait::kKitchenRun);
   };
   if (!in_runs(item)) return;
-  const auto is_low = [&](int i) { return in_runs(i) && model_.items[i].states[0].size.height < measures().tall_from; };
+  const auto is_low = [&](ItemId i) { return in_runs(i) && model_.items[i].states[0].size.height < measures().tall_from; };
   // One works beside sink and hob: worktops stand by them, and by a fridge where there is nothing else.
   const RelationSet beside_it = relations_that<&RelationTraits::close_by>() | relations_that<&RelationTraits::sideways>();
   bool by_low = false;
-  for (int other = 0; other < item; ++other) by_low |= model_.items[item].is(Trait::kCounter) && is_low(other);
+  for (const ItemId other : ids_before(item)) by_low |= model_.items[item].is(Trait::kCounter) && is_low(other);
   Formula f;
-  for (int other = 0; other < item; ++other) {
+  for (const ItemId other : ids_before(item)) {
     if (!in_runs(other) || (by_low && !is_low(other))) continue;
     // Words that say more than which side say how these two stand.
     if (!only_related_by(item, other, beside_it)) return;
@@ -65,17 +65,17 @@ void Habits::stand_in_run(int item) {
 }
 
 // Nobody cooks or washes up with an elbow in the fridge: a hand of worktop is between what is tall and what is no worktop.
-void Habits::keep_tall_off_worked_at(int item) {
+void Habits::keep_tall_off_worked_at(ItemId item) {
   constexpr int kOff = 300;  // points a metre
-  const auto is_unit = [&](int i) { return model_.items[i].mount == Mount::kFloor && model_.items[i].is(Trait::kKitchenRun); };
-  const auto is_tall = [&](int i) { return model_.items[i].states[0].size.height >= measures().tall_from; };
+  const auto is_unit = [&](ItemId i) { return model_.items[i].mount == Mount::kFloor && model_.items[i].is(Trait::kKitchenRun); };
+  const auto is_tall = [&](ItemId i) { return model_.items[i].states[0].size.height >= measures().tall_from; };
   const auto is_worktop = [&](const Item& unit) {
     return unit.mount == Mount::kFloor && unit.is(Trait::kKitchenRun) && unit.is(Trait::kCounter);
   };
   if (!is_unit(item) || std::ranges::none_of(model_.items, is_worktop)) return;
-  for (int other = 0; other < item; ++other) {
+  for (const ItemId other : ids_before(item)) {
     if (!is_unit(other) || is_tall(other) == is_tall(item) || related(item, other)) continue;
-    const int low = is_tall(item) ? other : item;
+    const ItemId low = is_tall(item) ? other : item;
     if (model_.items[low].is(Trait::kCounter)) continue;
     Formula f;
     for (const int axis : {0, 1}) {
@@ -86,12 +86,11 @@ void Habits::keep_tall_off_worked_at(int item) {
 }
 
 // An island stands along the run, its front away from it, an aisle between. False: there is no run, or words say where it is.
-bool Habits::stand_along_run(int item) {
+bool Habits::stand_along_run(ItemId item) {
   constexpr int kAlong = 300, kBeforeIsland = 150;
   if (placed_besides_facing(item)) return false;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int unit = static_cast<int>(i);
-    const Item& run = model_.items[i];
+  for (const ItemId unit : model_.items.ids()) {
+    const Item& run = model_.items[unit];
     if (unit == item || run.mount != Mount::kFloor || !run.is(Trait::kKitchenRun) || !run.entry->back_to_wall || !run.has_front) continue;
     Formula f;
     for_each_turn(run, [&](int turn, std::uint64_t states) {
@@ -112,7 +111,7 @@ bool Habits::stand_along_run(int item) {
 
 // Do words say at most at which wall it stands (its own, the one opposite something, one far from the door), and nothing of where along
 // it? What stands anywhere has to be told to be at a wall.
-bool Habits::only_told_its_wall(int item) const {
+bool Habits::only_told_its_wall(ItemId item) const {
   using R = RelationType;
   const RelationSet of_walls = RelationSet(R::kOnWall, R::kAgainstWall) | relations_that<&RelationTraits::keeps_off>();
   const auto& relations = model_.scene->relations;
@@ -124,10 +123,10 @@ bool Habits::only_told_its_wall(int item) const {
 
 // Several of a kind with their backs to a wall stand side by side along it: lockers, bookshelves, the beds of a ward, chairs told to have
 // it behind them. Beds also opposite one another.
-void Habits::stand_in_wall_row(int item) {
+void Habits::stand_in_wall_row(ItemId item) {
   constexpr Mm kBesideBed = 900, kBesideDesk = 200, kBesideSeat = 80;
   constexpr int kOutOfRow = 200, kSeatOutOfRow = 400, kAcross = 40;  // points
-  const auto in_row = [&](int i) {
+  const auto in_row = [&](ItemId i) {
     const Item& other = model_.items[i];
     const bool by_itself = other.is(Trait::kSeat) && !placed_by_relation(i);  // who waits
     return other.entry == model_.items[item].entry && !other.fixed && other.mount == Mount::kFloor && (only_told_its_wall(i) || by_itself);
@@ -135,8 +134,8 @@ void Habits::stand_in_wall_row(int item) {
   const Item& self = model_.items[item];
   if (self.is(Trait::kKitchenRun) || (self.is(Trait::kCenterPiece) && !self.is(Trait::kBed)) || !in_row(item)) return;
   // A seat joins the row at either end: it may stand beside the first or one of the last two.
-  std::vector<int> row;
-  for (int i = 0; i < item; ++i) {
+  std::vector<ItemId> row;
+  for (const ItemId i : ids_before(item)) {
     if (in_row(i)) row.push_back(i);
   }
   if (row.empty()) return;
@@ -146,7 +145,7 @@ void Habits::stand_in_wall_row(int item) {
   const bool twins =
       std::ranges::count_if(model_.items, [&](const Item& other) { return other.entry == self.entry; }) == 2 && has_bedside(item);
   Formula f;
-  for (const int before : row) {
+  for (const ItemId before : row) {
     for_each_turn(model_.items[before], [&](int turn, std::uint64_t states) {
       if (turn % 90 != 0) return;
       const Direction back = side_direction(model_.items[before], Side::kBack, turn);
@@ -166,12 +165,12 @@ void Habits::stand_in_wall_row(int item) {
 }
 
 // What stands in a row and has a front stands side by side there, not one behind the other.
-void Habits::stand_abreast_in_row(int item) {
+void Habits::stand_abreast_in_row(ItemId item) {
   for (const Relation& r : model_.scene->relations) {
     const auto at = std::ranges::find(r.targets, model_.items[item].id);
     if (r.type != RelationType::kRow || at == r.targets.begin() || at == r.targets.end()) continue;
-    const int before = model_.find_item(*(at - 1));
-    if (before < 0 || !model_.items[item].has_front || model_.items[before].entry != model_.items[item].entry) continue;
+    const ItemId before = model_.find_item(*(at - 1));
+    if (!before.exists() || !model_.items[item].has_front || model_.items[before].entry != model_.items[item].entry) continue;
     Formula f;
     for_each_turn(model_.items[item], [&](int turn, std::uint64_t states) {
       const std::uint64_t same = model_.items[before].states_at(turn);

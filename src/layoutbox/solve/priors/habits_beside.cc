@@ -8,11 +8,11 @@
 
 namespace layoutbox::placement {
 
-bool Habits::stand_beside(int item) {
+bool Habits::stand_beside(ItemId item) {
   if (stand_as_told_by(item)) return true;
-  std::vector<int> hosts = hosts_beside(item);
+  std::vector<ItemId> hosts = hosts_beside(item);
   if (hosts.empty()) return false;
-  if (const std::optional<int> told = told_host(item, hosts)) {
+  if (const std::optional<ItemId> told = told_host(item, hosts)) {
     if (!leaves_usual_place(item, *told)) {
       come_near(item, *told);
       sit_facing(item, *told);
@@ -25,19 +25,18 @@ bool Habits::stand_beside(int item) {
     leave_seated_to_their_seats(hosts, item);
   }
   // Hosts of the best kind only: a lamp by the sofa rather than by the desk.
-  std::erase_if(hosts, [&](int h) { return model_.items[h].entry != model_.items[hosts[0]].entry; });
-  const int host = hosts[rank_of(item) % static_cast<int>(hosts.size())];
+  std::erase_if(hosts, [&](ItemId h) { return model_.items[h].entry != model_.items[hosts[0]].entry; });
+  const ItemId host = hosts[rank_of(item) % static_cast<int>(hosts.size())];
   const int number = static_cast<int>(hosts.size());
   if (!sit_at(item, host, number) && !sit_round_sofa(item, host)) stand_at(item, host, number);
   return true;
 }
 
 // What a relation says of it and a greater thing, and what that leaves open. True: nothing is.
-bool Habits::stand_as_told_by(int item) {
+bool Habits::stand_as_told_by(ItemId item) {
   constexpr Mm kLowAtFoot = 650;  // a bench, a chest: close to the bed; not a wardrobe
   const Item& self = model_.items[item];
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int host = static_cast<int>(i);
+  for (const ItemId host : model_.items.ids()) {
     for (const RelationType how : {RelationType::kInFrontOf, RelationType::kAlongSide}) {
       if (related_as_target(item, host, how) && sit_in_row(item, host, how)) return true;
     }
@@ -54,21 +53,21 @@ bool Habits::stand_as_told_by(int item) {
   return false;
 }
 
-std::vector<int> Habits::hosts_beside(int item) const {
+std::vector<ItemId> Habits::hosts_beside(ItemId item) const {
   const Item& self = model_.items[item];
-  std::vector<int> hosts = usual_hosts(item);
-  for (std::size_t i = 0; i < model_.items.size() && self.is(Trait::kTableSeat); ++i) {  // a potter's wheel
-    const int other = static_cast<int>(i);
+  std::vector<ItemId> hosts = usual_hosts(item);
+  for (const ItemId other : model_.items.ids()) {  // a potter's wheel
+    if (!self.is(Trait::kTableSeat)) break;
     const bool known = std::ranges::find(hosts, other) != hosts.end();
-    if (!known && other != item && model_.items[i].is(Trait::kDeskLike) && model_.items[i].has_front && related(item, other))
+    if (!known && other != item && model_.items[other].is(Trait::kDeskLike) && model_.items[other].has_front && related(item, other))
       hosts.push_back(other);
   }
   return hosts;
 }
 
 // The host that a relation says it stands by, not only looks at.
-std::optional<int> Habits::told_host(int item, const std::vector<int>& hosts) const {
-  for (const int h : hosts) {
+std::optional<ItemId> Habits::told_host(ItemId item, const std::vector<ItemId>& hosts) const {
+  for (const ItemId h : hosts) {
     if (!related(item, h) || only_related_by(item, h, RelationSet(RelationType::kBetween)) || only_turned_by(item, h)) continue;
     if (model_.items[item].is(Trait::kEasySeat) && model_.items[h].is(Trait::kCoffeeTable) && only_near(item, h)) continue;
     return h;
@@ -77,36 +76,36 @@ std::optional<int> Habits::told_host(int item, const std::vector<int>& hosts) co
 }
 
 // Chairs along the walls or in rows; two easy chairs by the fire do not draw the sofa there.
-bool Habits::told_to_sit_elsewhere(int item) const {
+bool Habits::told_to_sit_elsewhere(ItemId item) const {
   const Item& self = model_.items[item];
   return (self.is(Trait::kTableSeat) && placed_besides_facing(item)) || (self.is(Trait::kEasySeat) && told_away_from_group(item));
 }
 
-// The low table that an easy chair sits at where words put it at none: of several its share of them; -1: there is none.
-int Habits::low_table_of(int item) const {
-  if (!model_.items[item].is(Trait::kEasySeat)) return -1;
-  std::vector<int> tables = items_of_kinds(model_.items[item].entry->faces, item);
-  std::erase_if(tables, [&](int other) { return !model_.items[other].is(Trait::kCoffeeTable); });
-  if (tables.empty()) return -1;
+// The low table that an easy chair sits at where words put it at none: of several its share of them; none: there is no such table.
+ItemId Habits::low_table_of(ItemId item) const {
+  if (!model_.items[item].is(Trait::kEasySeat)) return {};
+  std::vector<ItemId> tables = items_of_kinds(model_.items[item].entry->faces, item);
+  std::erase_if(tables, [&](ItemId other) { return !model_.items[other].is(Trait::kCoffeeTable); });
+  if (tables.empty()) return {};
   int seats = 0;
   for (const Item& other : model_.items) seats += other.entry == model_.items[item].entry;
   return tables[static_cast<std::size_t>(rank_of(item)) * tables.size() / static_cast<std::size_t>(seats)];
 }
 
-bool Habits::sit_near_low_table(int item) {
-  const int table = low_table_of(item);
-  if (table < 0 || !only_near(item, table)) return false;
+bool Habits::sit_near_low_table(ItemId item) {
+  const ItemId table = low_table_of(item);
+  if (!table.exists() || !only_near(item, table)) return false;
   sit_round_low_table(item, table);
   return true;
 }
 
 // A stool goes to the counter where the tables have their chairs.
-void Habits::leave_seated_to_their_seats(std::vector<int>& hosts, int item) const {
+void Habits::leave_seated_to_their_seats(std::vector<ItemId>& hosts, ItemId item) const {
   const Item& self = model_.items[item];
-  const auto is_seated = [&](int h) {
+  const auto is_seated = [&](ItemId h) {
     return std::ranges::any_of(model_.scene->relations, [&](const Relation& r) {
-      const int seat = r.targets.empty() ? -1 : model_.find_item(r.targets[0]);
-      return seat >= 0 && model_.items[seat].is(Trait::kTableSeat) && model_.items[seat].entry != self.entry &&
+      const ItemId seat = r.targets.empty() ? ItemId() : model_.find_item(r.targets[0]);
+      return seat.exists() && model_.items[seat].is(Trait::kTableSeat) && model_.items[seat].entry != self.entry &&
              std::ranges::find(r.references, model_.items[h].id) != r.references.end();
     });
   };
@@ -114,7 +113,7 @@ void Habits::leave_seated_to_their_seats(std::vector<int>& hosts, int item) cons
 }
 
 // Its share of the places at one of so many tables or counters. False: it is no seat, or nobody sits there.
-bool Habits::sit_at(int item, int host, int hosts) {
+bool Habits::sit_at(ItemId item, ItemId host, int hosts) {
   const Item &self = model_.items[item], &ref = model_.items[host];
   if (!self.is(Trait::kTableSeat)) return false;
   if (self.has_front && ref.is(Trait::kDeskLike) && is_served_over(host)) {
@@ -127,7 +126,7 @@ bool Habits::sit_at(int item, int host, int hosts) {
   const bool at_counter = ref.is(Trait::kCounter) && ref.has_front;  // at its front; who serves is behind
   if (!has_knee_room(ref) && !sat_before && !at_counter) return false;
   Formula f;
-  const std::vector<int> seats = seats_at(item, host, hosts);
+  const std::vector<ItemId> seats = seats_at(item, host, hosts);
   const auto k = std::ranges::find(seats, item) - seats.begin();
   add_seat_place(f, model_, item, host, static_cast<int>(k), static_cast<int>(seats.size()), kBeside);
   habit("at table", item, kBeside, std::move(f), {host});
@@ -136,15 +135,15 @@ bool Habits::sit_at(int item, int host, int hosts) {
 
 // What is long and hangs beside something that is deeper than wide (a rail by a toilet) hangs along that one's side, on the wall there:
 // flat on the wall behind it nobody reaches it. False: it is no such thing.
-bool Habits::hang_along_side(int item) {
+bool Habits::hang_along_side(ItemId item) {
   constexpr Mm kNear = 300;
   constexpr int kOnBackWall = 250, kSlim = 4;
   const Item& self = model_.items[item];
   const Size& size = self.states[0].size;
-  std::vector<int> hosts = usual_hosts(item);
-  std::erase_if(hosts, [&](int h) { return !related(item, h) && placed_by_relation_besides_walls(item); });
+  std::vector<ItemId> hosts = usual_hosts(item);
+  std::erase_if(hosts, [&](ItemId h) { return !related(item, h) && placed_by_relation_besides_walls(item); });
   if (hosts.empty() || size.width < kSlim * size.depth) return false;
-  const int host = hosts[rank_of(item) % static_cast<int>(std::ranges::count(hosts, hosts[0]))];
+  const ItemId host = hosts[rank_of(item) % static_cast<int>(std::ranges::count(hosts, hosts[0]))];
   const Item& ref = model_.items[host];
   if (!ref.has_front || !ref.entry->back_to_wall || ref.states[0].size.depth <= ref.states[0].size.width) return false;
   Formula f;
@@ -165,7 +164,7 @@ bool Habits::hang_along_side(int item) {
 }
 
 // Before its host or at its sides, close to it.
-void Habits::stand_at(int item, int host, int hosts) {
+void Habits::stand_at(ItemId item, ItemId host, int hosts) {
   const Item &self = model_.items[item], &ref = model_.items[host];
   Formula f;
   const std::vector<Side> used = used_sides(ref);
@@ -192,7 +191,7 @@ void Habits::stand_at(int item, int host, int hosts) {
 }
 
 // A pane or a screen beside something goes on from the wall as that one's side does.
-void Habits::stand_edge_on(int item, int host) {
+void Habits::stand_edge_on(ItemId item, ItemId host) {
   constexpr int kFlat = 8;
   const Item &self = model_.items[item], &ref = model_.items[host];
   const Size& size = self.states[0].size;
@@ -207,7 +206,7 @@ void Habits::stand_edge_on(int item, int host) {
 }
 
 // Seats in a row along the side of what all of them look at, its middle before that side's, each in the place of its rank.
-void Habits::sit_in_row(int item, int at, const SeatRow& row) {
+void Habits::sit_in_row(ItemId item, ItemId at, const SeatRow& row) {
   const auto k = std::ranges::find(row.seats, item) - row.seats.begin(), n = std::ssize(row.seats);
   const Mm pitch = model_.items[item].states[0].size.width + row.between;
   Formula f;
@@ -222,16 +221,16 @@ void Habits::sit_in_row(int item, int at, const SeatRow& row) {
 }
 
 // Who works at a reception desk sits behind it, where the room for the knees is, and looks over it.
-void Habits::sit_behind_served(int item, int host) {
+void Habits::sit_behind_served(ItemId item, ItemId host) {
   sit_in_row(item, host, {.name = "behind the desk", .side = Side::kBack, .seats = seats_at(item, host, 1), .between = 200});
 }
 
 // Told to stand by something that is not what one talks round: by the fire, at the window.
-bool Habits::told_away_from_group(int item) const {
+bool Habits::told_away_from_group(ItemId item) const {
   if (!placed_besides_facing(item)) return false;
   const auto in_group = [&](const std::string& id) {
-    const int other = model_.find_item(id);
-    if (other < 0 || model_.items[other].is_opening()) return false;
+    const ItemId other = model_.find_item(id);
+    if (!other.exists() || model_.items[other].is_opening()) return false;
     const Item& ref = model_.items[other];
     return ref.is(Trait::kCenterPiece) || ref.is(Trait::kEasySeat) || ref.is(Trait::kCoffeeTable) || ref.thin;
   };
@@ -241,7 +240,7 @@ bool Habits::told_away_from_group(int item) const {
 }
 
 // Easy chairs make a talking group: at the ends of the coffee table, looking at it, two of them face to face.
-void Habits::sit_round_low_table(int item, int table) {
+void Habits::sit_round_low_table(ItemId item, ItemId table) {
   Formula f;
   add_beside(f, model_, item, table, Side::kLeft, {.most = 700, .wished_gap = 350});
   add_beside(f, model_, item, table, Side::kRight, {.most = 700, .wished_gap = 350});
@@ -256,7 +255,7 @@ void Habits::sit_round_low_table(int item, int table) {
   flank(item, table, 1);
 }
 
-void Habits::stand_before_middle(int item, int host) {
+void Habits::stand_before_middle(ItemId item, ItemId host) {
   Formula f;
   for_each_turn(model_.items[host], [&](int turn, std::uint64_t states) {
     const int along = side_direction(model_.items[host], Side::kRight, turn).axis;
@@ -278,18 +277,19 @@ void Habits::stand_before_middle(int item, int host) {
 }
 
 // Two of a kind by the same host stand one at each side, as far from its middle: nightstands, speakers, plants.
-void Habits::flank(int item, int host, int hosts) {
+void Habits::flank(ItemId item, ItemId host, int hosts) {
   constexpr int kEven = 200;  // points a metre
   const int rank = rank_of(item);
   if (rank / hosts % 2 == 0) return;
-  int twin = 0;
-  while (model_.items[twin].entry != model_.items[item].entry || rank_of(twin) != rank - hosts) ++twin;
+  const auto is_twin = [&](ItemId one) { return model_.items[one].entry == model_.items[item].entry && rank_of(one) == rank - hosts; };
+  const auto all = model_.items.ids();
+  const ItemId twin = *std::ranges::find_if(all, is_twin);
   if (model_.items[twin].fixed || !only_near(twin, host)) return;
   Formula f;
   for_each_turn(model_.items[host], [&](int turn, std::uint64_t states) {
     const Direction right = side_direction(model_.items[host], Side::kRight, turn);
     for (const int sign : {1, -1}) {
-      const auto beyond = [&](int one, int towards) { return towards * (mid2(one, right.axis) - mid2(host, right.axis)); };
+      const auto beyond = [&](ItemId one, int towards) { return towards * (mid2(one, right.axis) - mid2(host, right.axis)); };
       Case& c = f.add().when(host, states).require(beyond(item, sign)).require(beyond(twin, -sign));
       c.wish(mid2(item, right.axis) + mid2(twin, right.axis) - 2 * mid2(host, right.axis), kEven, 2);
     }

@@ -11,14 +11,14 @@ constexpr Mm kBetweenBlocks = 1100, kSitsBeside = 450;  // what the seats take a
 
 // Of which block of a formation a thing is, and where in it.
 struct PlaceInBlock {
-  std::vector<std::vector<int>> blocks;  // in the order in which they were told
+  std::vector<std::vector<ItemId>> blocks;  // in the order in which they were told
   int block = 0, columns = 0, row = 0, column = 0;
 };
 
 Linear middle_of_room(const PlacementModel& model, int axis) { return Linear(std::int64_t{model.room.lo[axis]} + model.room.hi[axis]); }
 
 // Wishes for the place of the item, a case for each way in which it may look: of two rows the first has its back up the axis.
-void add_block_place(Formula& f, const PlacementModel& model, int item, const PlaceInBlock& of, int weight) {
+void add_block_place(Formula& f, const PlacementModel& model, ItemId item, const PlaceInBlock& of, int weight) {
   const Size& size = model.items[item].states[0].size;
   const int blocks = static_cast<int>(of.blocks.size()), rows = (static_cast<int>(of.blocks[0].size()) + of.columns - 1) / of.columns;
   const Size block{of.columns * size.width, rows * size.depth + 2 * kSitsBeside, size.height};
@@ -48,15 +48,15 @@ void add_block_place(Formula& f, const PlacementModel& model, int item, const Pl
 }
 
 // Grids and rows without gaps, of as many things of that kind in as many columns each; nothing where there is but one.
-std::optional<PlaceInBlock> place_in_block(const PlacementModel& model, int item) {
+std::optional<PlaceInBlock> place_in_block(const PlacementModel& model, ItemId item) {
   PlaceInBlock place;
   bool found = false;
   for (const Relation& r : model.scene->relations) {
     const bool row = r.type == RelationType::kRow;
     if ((r.type != RelationType::kGrid && !row) || r.parameters.gap != Mm{0} || r.targets.size() < 2) continue;
-    std::vector<int> members;
+    std::vector<ItemId> members;
     for (const std::string& id : r.targets) members.push_back(model.find_item(id));
-    const auto other_kind = [&](int m) { return m < 0 || model.items[m].entry != model.items[item].entry; };
+    const auto other_kind = [&](ItemId m) { return !m.exists() || model.items[m].entry != model.items[item].entry; };
     if (std::ranges::any_of(members, other_kind)) continue;
     if (!place.blocks.empty() && place.blocks[0].size() != members.size()) return std::nullopt;
     if (const auto at = std::ranges::find(members, item); at != members.end()) {
@@ -75,18 +75,18 @@ std::optional<PlaceInBlock> place_in_block(const PlacementModel& model, int item
 
 }  // namespace
 
-bool Habits::stand_in_blocks(int item) {
+bool Habits::stand_in_blocks(ItemId item) {
   const std::optional<PlaceInBlock> place = place_in_block(model_, item);
   if (!place) return false;
   Formula f;
   add_block_place(f, model_, item, *place, kFormation);
   if (f.cases.empty()) return false;
   Constraint& constraint = habit("in a block", item, kFormation, std::move(f));
-  const int first = place->blocks[0][0];
+  const ItemId first = place->blocks[0][0];
   constraint.formation = first, constraint.member = item;
   if (place->columns < static_cast<int>(place->blocks[0].size()) || !model_.items[item].has_front) return true;
-  std::vector<int> all;
-  for (const std::vector<int>& block : place->blocks) all.insert(all.end(), block.begin(), block.end());
+  std::vector<ItemId> all;
+  for (const std::vector<ItemId>& block : place->blocks) all.insert(all.end(), block.begin(), block.end());
   if (item != first)
     turn_as(item, first);
   else if (!told_where_to_look(item))

@@ -9,26 +9,26 @@ constexpr int kStrewn = 6;  // on the ceiling
 
 }  // namespace
 
-bool Habits::told_where_it_hangs(int item) const {
+bool Habits::told_where_it_hangs(ItemId item) const {
   return std::ranges::any_of(model_.scene->relations, [&](const Relation& r) {
     return r.type != RelationType::kOnCeiling && std::ranges::find(r.targets, model_.items[item].id) != r.targets.end();
   });
 }
 
 // Lamps over tables, else in the middle of the room.
-void Habits::hang_from_ceiling(int item) {
+void Habits::hang_from_ceiling(ItemId item) {
   // Above its thing, in its corner: the middle of the room would pull it off.
   if (hang_along(item) || share_length_of_table(item) || told_where_it_hangs(item)) return;
   const Item& self = model_.items[item];
-  std::vector<int> below = items_of_kinds(Groups::usual_at(Groups::builtin().hangs, *model_.catalog, *self.entry, Mount::kCeiling), item);
+  std::vector<ItemId> below =
+      items_of_kinds(Groups::usual_at(Groups::builtin().hangs, *model_.catalog, *self.entry, Mount::kCeiling), item);
   if (self.is(Trait::kLamp))  // over no desk at a wall
-    std::erase_if(below, [&](int i) { return model_.items[i].entry->back_to_wall && !model_.items[i].is(Trait::kBed); });
-  if (!below.empty()) std::erase_if(below, [&, kind = model_.items[below[0]].entry](int i) { return model_.items[i].entry != kind; });
+    std::erase_if(below, [&](ItemId i) { return model_.items[i].entry->back_to_wall && !model_.items[i].is(Trait::kBed); });
+  if (!below.empty()) std::erase_if(below, [&, kind = model_.items[below[0]].entry](ItemId i) { return model_.items[i].entry != kind; });
   // Several share the tables there are, and the length of each.
-  std::vector<int> peers;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int other = static_cast<int>(i);
-    if (model_.items[i].entry == self.entry && model_.items[i].mount == Mount::kCeiling && !told_where_it_hangs(other))
+  std::vector<ItemId> peers;
+  for (const ItemId other : model_.items.ids()) {
+    if (model_.items[other].entry == self.entry && model_.items[other].mount == Mount::kCeiling && !told_where_it_hangs(other))
       peers.push_back(other);
   }
   const auto rank = std::ranges::find(peers, item) - peers.begin(), n = std::ssize(peers);
@@ -36,7 +36,7 @@ void Habits::hang_from_ceiling(int item) {
   const auto place = rank / tables, sharing = std::max<std::ptrdiff_t>(1, (n - rank % tables + tables - 1) / tables);
   const auto aside2 = [&](Mm length) { return Linear(std::int64_t{length} * (2 * place + 1 - sharing) / sharing); };
   Formula f;
-  std::vector<int> hosts;
+  std::vector<ItemId> hosts;
   if (below.empty()) {
     const int along = model_.room.extent(0) >= model_.room.extent(1) ? 0 : 1;
     Case& c = f.add();
@@ -55,7 +55,7 @@ void Habits::hang_from_ceiling(int item) {
 }
 
 // Over the middle of a top, `aside2` off it along its length.
-Formula Habits::hung_along_top(int item, int host, const Linear& aside2) const {
+Formula Habits::hung_along_top(ItemId item, ItemId host, const Linear& aside2) const {
   Formula f;
   const Size& size = model_.items[host].states[0].size;
   for_each_turn(model_.items[host], [&](int turn, std::uint64_t states) {
@@ -69,22 +69,22 @@ Formula Habits::hung_along_top(int item, int host, const Linear& aside2) const {
 }
 
 // "two pendant lights above the island": of which no more is told, they share its length.
-bool Habits::share_length_of_table(int item) {
-  const auto hung_over = [&](int lamp) {
-    int over = -1, told = 0;
+bool Habits::share_length_of_table(ItemId item) {
+  const auto hung_over = [&](ItemId lamp) {
+    ItemId over;
+    int told = 0;
     for (const Relation& r : model_.scene->relations) {
       if (r.type == RelationType::kOnCeiling || std::ranges::find(r.targets, model_.items[lamp].id) == r.targets.end()) continue;
       ++told;
       if (r.type == RelationType::kAbove && r.references.size() == 1) over = model_.find_item(r.references[0]);
     }
-    return told == 1 && over >= 0 && model_.items[over].mount == Mount::kFloor ? over : -1;
+    return told == 1 && over.exists() && model_.items[over].mount == Mount::kFloor ? over : ItemId();
   };
-  const int host = hung_over(item);
-  if (host < 0) return false;
-  std::vector<int> peers;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int other = static_cast<int>(i);
-    if (model_.items[i].entry == model_.items[item].entry && model_.items[i].mount == Mount::kCeiling && hung_over(other) == host)
+  const ItemId host = hung_over(item);
+  if (!host.exists()) return false;
+  std::vector<ItemId> peers;
+  for (const ItemId other : model_.items.ids()) {
+    if (model_.items[other].entry == model_.items[item].entry && model_.items[other].mount == Mount::kCeiling && hung_over(other) == host)
       peers.push_back(other);
   }
   const auto n = std::ssize(peers), rank = std::ranges::find(peers, item) - peers.begin();
@@ -95,10 +95,10 @@ bool Habits::share_length_of_table(int item) {
 }
 
 // What hangs from the ceiling down to the floor beside a bed or a couch (a ward's curtain) hangs along its long side.
-bool Habits::hang_along(int item) {
+bool Habits::hang_along(ItemId item) {
   constexpr Mm kOff = 120;
-  const int host = curtained_by(item);
-  if (host < 0) return false;
+  const ItemId host = curtained_by(item);
+  if (!host.exists()) return false;
   Formula f;
   for_each_turn(model_.items[host], [&](int turn, std::uint64_t states) {
     if (turn % 90 != 0) return;
@@ -115,13 +115,12 @@ bool Habits::hang_along(int item) {
 }
 
 // What hangs so low that one stands before it (a punching bag) hangs clear of what is on the floor, and of its like.
-void Habits::hang_clear(int item) {
+void Habits::hang_clear(ItemId item) {
   constexpr Mm kHeadroom = 1900, kAround = 700;
   constexpr int kClear = 600;  // points a metre
   if (model_.room.extent(2) - model_.items[item].states[0].size.height >= kHeadroom) return;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int other = static_cast<int>(i);
-    const Item& ref = model_.items[i];
+  for (const ItemId other : model_.items.ids()) {
+    const Item& ref = model_.items[other];
     const bool alike = ref.entry == model_.items[item].entry && other < item;
     if (ref.is_opening() || ref.thin || !(alike || ref.mount == Mount::kFloor) || related(item, other)) continue;
     Formula f;

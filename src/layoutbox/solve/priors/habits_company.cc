@@ -8,7 +8,7 @@
 namespace layoutbox::placement {
 
 // Several of a kind before or behind one thing stand abreast: chairs behind a news desk, cameras before it.
-bool Habits::stand_abreast(int item) {
+bool Habits::stand_abreast(ItemId item) {
   for (const Relation* said : said_of(item)) {
     const Relation& r = *said;
     const Item& self = model_.items[item];
@@ -18,13 +18,13 @@ bool Habits::stand_abreast(int item) {
                          (r.type == RelationType::kOpposite && free) ||
                          (r.type == RelationType::kFacing && free && !placed_besides_facing(item));
     if (r.references.size() != 1 || !abreast) continue;
-    const int host = model_.find_item(r.references[0]);
-    if (host >= 0 && related_as_target(item, host, r.type) && stand_abreast_of(item, host, r.type)) return true;
+    const ItemId host = model_.find_item(r.references[0]);
+    if (host.exists() && related_as_target(item, host, r.type) && stand_abreast_of(item, host, r.type)) return true;
   }
   return false;
 }
 
-bool Habits::stand_abreast_of(int item, int host, RelationType how) {
+bool Habits::stand_abreast_of(ItemId item, ItemId host, RelationType how) {
   constexpr Mm kApart = 100, kOff = 600, kSeatOff = 50, kTalkingOff = 1800;
   constexpr std::size_t kMostAbreast = 3;
   const bool across_from = how == RelationType::kOpposite || how == RelationType::kFacing;
@@ -35,10 +35,9 @@ bool Habits::stand_abreast_of(int item, int host, RelationType how) {
       window || (!ref.is_opening() && (ref.has_front || (seat && how == RelationType::kBehind)));  // a table's back is that of the room
   if (!sided || (seat && how == RelationType::kInFrontOf)) return false;
   const RelationSet only(how, RelationType::kFacing, RelationType::kCenteredOn, across_from ? RelationType::kDistance : how);
-  std::vector<int> peers;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int other = static_cast<int>(i);
-    if (model_.items[i].entry == self.entry && related_as_target(other, host, how) && only_related_by(other, host, only))
+  std::vector<ItemId> peers;
+  for (const ItemId other : model_.items.ids()) {
+    if (model_.items[other].entry == self.entry && related_as_target(other, host, how) && only_related_by(other, host, only))
       peers.push_back(other);
   }
   const auto k = std::find(peers.begin(), peers.end(), item) - peers.begin();
@@ -63,7 +62,7 @@ bool Habits::stand_abreast_of(int item, int host, RelationType how) {
 }
 
 // Does anything but its neighbour say where a seat is?
-bool Habits::is_seated(int item, int neighbour) const {
+bool Habits::is_seated(ItemId item, ItemId neighbour) const {
   return std::ranges::any_of(said_of(item), [&](const Relation* r) {
     const bool target = std::ranges::find(r->targets, model_.items[item].id) != r->targets.end();
     return target && r->references != std::vector<std::string>{model_.items[neighbour].id};
@@ -72,16 +71,17 @@ bool Habits::is_seated(int item, int neighbour) const {
 
 // What is told to stand next to something that is used from its front stands at its side: a plant beside the television, a cabinet beside
 // the bed. On a table too, and not so close that they touch.
-void Habits::stand_at_side(int item) {
+void Habits::stand_at_side(ItemId item) {
   const Item& self = model_.items[item];
   const bool seat = self.is(Trait::kTableSeat);
   if (before_its_host(item)) return;
   for (const Relation* said : said_of(item)) {
     const Relation& r = *said;
     if (r.type != RelationType::kNextTo || r.references.size() != 1) continue;
-    const int host = model_.find_item(r.references[0]);
-    if (host >= 0 && self.is(Trait::kEasySeat) && !model_.items[host].is(Trait::kBed)) continue;
-    if (host < 0 || !related_as_target(item, host, r.type) || !only_related_by(item, host, relations_that<&RelationTraits::close_by>()))
+    const ItemId host = model_.find_item(r.references[0]);
+    if (host.exists() && self.is(Trait::kEasySeat) && !model_.items[host].is(Trait::kBed)) continue;
+    if (!host.exists() || !related_as_target(item, host, r.type) ||
+        !only_related_by(item, host, relations_that<&RelationTraits::close_by>()))
       continue;
     const Item& ref = model_.items[host];
     if (seat && (ref.is_opening() || !ref.is(Trait::kTableSeat) || is_seated(item, host))) continue;
@@ -102,40 +102,40 @@ void Habits::stand_at_side(int item) {
   }
 }
 
-bool Habits::before_its_host(int item) const { return model_.items[item].is(Trait::kStandsBefore); }
+bool Habits::before_its_host(ItemId item) const { return model_.items[item].is(Trait::kStandsBefore); }
 
 // What it may look at, the likeliest first.
-std::vector<int> Habits::seen_from(int item) const {
+std::vector<ItemId> Habits::seen_from(ItemId item) const {
   const Item& self = model_.items[item];
-  std::vector<int> seen = items_of_kinds(self.entry->faces, item);
+  std::vector<ItemId> seen = items_of_kinds(self.entry->faces, item);
   // Each has its own mirror before all others.
-  std::ranges::stable_partition(seen, [&](int other) { return related_as_target(item, other, RelationType::kFacing); });
+  std::ranges::stable_partition(seen, [&](ItemId other) { return related_as_target(item, other, RelationType::kFacing); });
   // … an easy chair the low table that it sits at
-  if (const int table = low_table_of(item); table >= 0 && !seen.empty() && model_.items[seen[0]].is(Trait::kCoffeeTable))
-    std::ranges::stable_partition(seen, [&](int other) { return other == table || related(item, other); });
+  if (const ItemId table = low_table_of(item); table.exists() && !seen.empty() && model_.items[seen[0]].is(Trait::kCoffeeTable))
+    std::ranges::stable_partition(seen, [&](ItemId other) { return other == table || related(item, other); });
   // … and a visitor the bed that the chair is told to be at.
-  if (self.is(Trait::kTableSeat)) std::ranges::stable_partition(seen, [&](int other) { return related(item, other); });
-  if (self.is(Trait::kTableSeat)) std::erase_if(seen, [&](int other) { return !takes_seat(other, item) || waits_for(item, other); });
+  if (self.is(Trait::kTableSeat)) std::ranges::stable_partition(seen, [&](ItemId other) { return related(item, other); });
+  if (self.is(Trait::kTableSeat)) std::erase_if(seen, [&](ItemId other) { return !takes_seat(other, item) || waits_for(item, other); });
   return seen;
 }
 
 // Seats in rows look at the board or the screen of the room, whatever they are.
-std::vector<int> Habits::seen_by_crowd(int item) const {
-  std::vector<int> seen = seen_from(item);
+std::vector<ItemId> Habits::seen_by_crowd(ItemId item) const {
+  std::vector<ItemId> seen = seen_from(item);
   const Item& self = model_.items[item];
-  const int board = self.has_front && (self.is(Trait::kSeat) || self.is(Trait::kEasySeat)) ? board_of_room() : -1;
-  const auto shows = [&](int other) { return model_.items[other].is(Trait::kScreen); };
-  if (board >= 0 && std::ranges::none_of(seen, shows)) seen.insert(seen.begin(), board);
+  const ItemId board = self.has_front && (self.is(Trait::kSeat) || self.is(Trait::kEasySeat)) ? board_of_room() : ItemId();
+  const auto shows = [&](ItemId other) { return model_.items[other].is(Trait::kScreen); };
+  if (board.exists() && std::ranges::none_of(seen, shows)) seen.insert(seen.begin(), board);
   return seen;
 }
 
 // Its front to what it is for: sofas to screens, easy chairs to the table between. False: there is nothing of that.
-bool Habits::look_at(int item, bool leads, const std::vector<int>& crowd) {
+bool Habits::look_at(ItemId item, bool leads, const std::vector<ItemId>& crowd) {
   const Item& self = model_.items[item];
   if (!self.has_front) return false;
-  const std::vector<int> seen = crowd.empty() ? seen_from(item) : seen_by_crowd(item);
-  for (const int seen_one : seen) {
-    const int other = stand_of_screen(seen_one);
+  const std::vector<ItemId> seen = crowd.empty() ? seen_from(item) : seen_by_crowd(item);
+  for (const ItemId seen_one : seen) {
+    const ItemId other = stand_of_screen(seen_one);
     if (model_.items[other].mount != Mount::kFloor && model_.items[other].mount != Mount::kWall && seen.size() > 1 && seen_one != seen[0])
       continue;
     Formula f;
@@ -150,7 +150,7 @@ bool Habits::look_at(int item, bool leads, const std::vector<int>& crowd) {
     const bool elsewhere = self.is(Trait::kEasySeat) && placed_besides_facing(item) && !related(item, other);
     const bool after = self.is(Trait::kEasySeat) || (leads && !comes_after_screen(other, item)) || comes_after_screen(item, other);
     habit("faces", item, elsewhere || leaves_screen_to_others(item, seen_one) ? kFaces / 3 : kFaces, std::move(f),
-          after ? std::vector<int>{other} : std::vector<int>{});
+          after ? std::vector<ItemId>{other} : std::vector<ItemId>{});
     if (model_.items[seen_one].is(Trait::kScreen)) stay_before_screen(item, other);
     if (self.is(Trait::kCenterPiece) && !self.is(Trait::kBed)) {
       if (model_.items[seen_one].is(Trait::kScreen)) watch_from_near(item, other), have_screen_before(item, other);

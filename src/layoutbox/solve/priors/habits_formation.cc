@@ -18,7 +18,7 @@ constexpr int kKeepOff = 300;                       // points a metre
 }  // namespace
 
 // The grid that a relation asks for.
-std::optional<Habits::Group> Habits::grid_with(int item) const {
+std::optional<Habits::Group> Habits::grid_with(ItemId item) const {
   for (const Relation& r : model_.scene->relations) {
     if (r.type != RelationType::kGrid || std::find(r.targets.begin(), r.targets.end(), model_.items[item].id) == r.targets.end()) continue;
     Group group{{}, r.parameters.columns.value_or(static_cast<int>(std::ceil(std::sqrt(static_cast<double>(r.targets.size())))))};
@@ -29,10 +29,10 @@ std::optional<Habits::Group> Habits::grid_with(int item) const {
 }
 
 // How many of a kind stand in a formation at least.
-std::size_t Habits::least_in_formation(int item) const {
+std::size_t Habits::least_in_formation(ItemId item) const {
   const Item& self = model_.items[item];
   // A few chairs with nothing to look at and no table stand at the walls.
-  const bool watches = board_of_room() >= 0 || told_where_to_look(item);
+  const bool watches = board_of_room().exists() || told_where_to_look(item);
   const std::size_t fewest_seats = self.is(Trait::kTableSeat) && self.has_front && !watches ? kManySeats : kManyInFormation;
   // Two that one sits or walks round are enough: side by side, turned alike.
   const bool round_about = has_knee_room(self) || used_sides(self).size() >= 4;
@@ -43,7 +43,7 @@ std::size_t Habits::least_in_formation(int item) const {
   return has_knee_room(self) ? 3 : kManyInFormation;
 }
 
-std::optional<Habits::Group> Habits::formation_with(int item) const {
+std::optional<Habits::Group> Habits::formation_with(ItemId item) const {
   const Item& self = model_.items[item];
   if (const std::optional<Group> grid = grid_with(item)) {
     // The beds of a ward in two rows have the walls to go by, and are turned to one another.
@@ -55,20 +55,20 @@ std::optional<Habits::Group> Habits::formation_with(int item) const {
   // What usually stands at a wall and is told where to look, as a class's desks are, stands in rows, desks of an office in islands.
   const bool at_wall = self.entry->back_to_wall && !told_where_to_look(item) && !fits_islands(item);
   // Easy chairs in rows are for those who look at something; who talks sits face to face.
-  if (self.is(Trait::kEasySeat) && !told_where_to_look(item) && board_of_room() < 0) return std::nullopt;
+  if (self.is(Trait::kEasySeat) && !told_where_to_look(item) && !board_of_room().exists()) return std::nullopt;
   if (self.mount != Mount::kFloor || at_wall || area_of(self) > kManySize) return std::nullopt;
   // Small things that nobody walks up to (plants, barrels) stand at the walls and in the corners, however many.
   if (used_sides(self).empty() && !self.is(Trait::kBearsCeiling) && !self.thin && !self.is(Trait::kSeat) &&
       area_of(self) < kTableToSitRound)
     return std::nullopt;
   const bool has_host = std::ranges::any_of(items_of_kinds(self.entry->beside, item),
-                                            [&](int h) { return !model_.items[h].thin && area_of(model_.items[h]) > area_of(self); });
+                                            [&](ItemId h) { return !model_.items[h].thin && area_of(model_.items[h]) > area_of(self); });
   if (has_host && !has_knee_room(self)) return std::nullopt;
-  if (mirror_of(item) >= 0) return std::nullopt;
+  if (mirror_of(item).exists()) return std::nullopt;
   Group group;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int other = static_cast<int>(i);
-    if (model_.items[i].entry == self.entry && !model_.items[i].fixed && (!placed_besides_facing(other) || told_middle_with_others(other)))
+  for (const ItemId other : model_.items.ids()) {
+    if (model_.items[other].entry == self.entry && !model_.items[other].fixed &&
+        (!placed_besides_facing(other) || told_middle_with_others(other)))
       group.members.push_back(other);
   }
   if (self.entry->back_to_wall && !told_where_to_look(item) && group.members.size() < kManyInFormation) return std::nullopt;
@@ -81,12 +81,12 @@ std::optional<Habits::Group> Habits::formation_with(int item) const {
 PartOfRoom Habits::part_of(const Group& group) {
   if (!formations_) {
     formations_.emplace();
-    std::vector<char> known(model_.items.size(), 0);
-    for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    ById<ItemId, char> known(model_.items.size(), 0);
+    for (const ItemId i : model_.items.ids()) {
       if (known[i] || model_.items[i].is_opening() || model_.items[i].fixed || model_.items[i].mount != Mount::kFloor) continue;
-      const std::optional<Group> found = formation_with(static_cast<int>(i));
+      const std::optional<Group> found = formation_with(i);
       if (!found) continue;
-      for (const int member : found->members) known[static_cast<std::size_t>(member)] = 1;
+      for (const ItemId member : found->members) known[member] = 1;
       formations_->push_back(found->members);
     }
   }
@@ -96,7 +96,7 @@ PartOfRoom Habits::part_of(const Group& group) {
 }
 
 // Desks that one sits down at from the front, in a room that is wide enough for two rows of them with chairs on both sides.
-bool Habits::fits_islands(int item) const {
+bool Habits::fits_islands(ItemId item) const {
   constexpr Mm kLeastRoom = 4200;
   const Item& self = model_.items[item];
   return self.is(Trait::kDesk) && self.entry->back_to_wall && self.has_front && has_knee_room(self) && used_side(self) == Side::kFront &&
@@ -104,21 +104,21 @@ bool Habits::fits_islands(int item) const {
 }
 
 // Does a relation say which way it looks?
-bool Habits::told_where_to_look(int item) const {
+bool Habits::told_where_to_look(ItemId item) const {
   return std::ranges::any_of(said_of(item), [&](const Relation* r) {
     return traits_of(r->type).looks && std::ranges::find(r->targets, model_.items[item].id) != r->targets.end();
   });
 }
 
 // Does a relation say where it stands, not only which way it looks?
-bool Habits::placed_besides_facing(int item) const {
+bool Habits::placed_besides_facing(ItemId item) const {
   return std::ranges::any_of(said_of(item), [&](const Relation* r) {
     return !traits_of(r->type).turns && std::ranges::find(r->targets, model_.items[item].id) != r->targets.end();
   });
 }
 
 // "Six tables in the middle": they cannot all be there, so their rows are about it.
-bool Habits::told_middle_with_others(int item) const {
+bool Habits::told_middle_with_others(ItemId item) const {
   constexpr std::size_t kSeveral = 2;
   bool middle = false;
   for (const Relation& r : model_.scene->relations) {
@@ -130,7 +130,7 @@ bool Habits::told_middle_with_others(int item) const {
   return middle;
 }
 
-void Habits::turn_as(int item, int other) {
+void Habits::turn_as(ItemId item, ItemId other) {
   Formula f;
   for_each_turn(model_.items[item], [&](int turn, std::uint64_t states) {
     if (const std::uint64_t same = model_.items[other].states_at(turn)) f.add().when(item, states).when(other, same);
@@ -139,15 +139,14 @@ void Habits::turn_as(int item, int other) {
 }
 
 // What a crowd looks at stands before the middle of it: an altar before the pews, not before one half of them.
-void Habits::stand_before_crowd(int faced) {
-  std::vector<int> crowd;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int other = static_cast<int>(i);
-    if (other == faced || model_.items[i].is_opening()) continue;
+void Habits::stand_before_crowd(ItemId faced) {
+  std::vector<ItemId> crowd;
+  for (const ItemId other : model_.items.ids()) {
+    if (other == faced || model_.items[other].is_opening()) continue;
     const std::optional<Group> group = formation_with(other);
     if (!group) continue;
     const bool looks = std::any_of(group->members.begin(), group->members.end(),
-                                   [&](int m) { return related_as_target(m, faced, RelationType::kFacing); });
+                                   [&](ItemId m) { return related_as_target(m, faced, RelationType::kFacing); });
     if (!looks) continue;
     crowd = group->members;
     break;
@@ -155,7 +154,7 @@ void Habits::stand_before_crowd(int faced) {
   stand_before_middle_of(crowd, faced);
 }
 
-void Habits::stand_before_middle_of(const std::vector<int>& crowd, int faced) {
+void Habits::stand_before_middle_of(const std::vector<ItemId>& crowd, ItemId faced) {
   const std::string name = "before the middle of the crowd";
   const bool placed = model_.items[faced].mount == Mount::kWall ? placed_by_relation_besides_walls(faced) : placed_besides_facing(faced);
   if (crowd.size() < kManyInFormation || placed) return;
@@ -167,19 +166,19 @@ void Habits::stand_before_middle_of(const std::vector<int>& crowd, int faced) {
     const int along = across(side_direction(model_.items[crowd[0]], Side::kFront, turn));
     const auto n = static_cast<std::int64_t>(crowd.size());
     Linear off = n * mid2(faced, along);
-    for (const int member : crowd) off = off - mid2(member, along);
+    for (const ItemId member : crowd) off = off - mid2(member, along);
     f.add().when(crowd[0], states).wish(off, kBeside, 2 * n);
   });
   habit(name, faced, kBeside, std::move(f), {crowd[0]});
 }
 
 // What a crowd looks at stands clear of its first row.
-void Habits::keep_off_faced(int item) {
+void Habits::keep_off_faced(ItemId item) {
   for (const Relation* said : said_of(item)) {
     const Relation& r = *said;
     if (r.type != RelationType::kFacing || r.references.size() != 1) continue;
-    const int faced = model_.find_item(r.references[0]);
-    if (faced < 0 || model_.items[faced].is_opening() || !related_as_target(item, faced, r.type)) continue;
+    const ItemId faced = model_.find_item(r.references[0]);
+    if (!faced.exists() || model_.items[faced].is_opening() || !related_as_target(item, faced, r.type)) continue;
     stand_before_crowd(faced);
     if (model_.items[faced].mount != Mount::kFloor) continue;
     Formula f;
@@ -205,7 +204,7 @@ int Habits::leader_of(const Group& group) const {
 }
 
 // Two rows back to back, turned one way and the other.
-bool Habits::stand_in_islands(int item, const Group& group, int k) {
+bool Habits::stand_in_islands(ItemId item, const Group& group, int k) {
   Formula f;
   add_island_place(f, model_, {.group = group.members, .k = k, .weight = kFormation, .in_line = kInLine, .part = part_of(group)});
   if (f.cases.empty()) return false;
@@ -213,7 +212,7 @@ bool Habits::stand_in_islands(int item, const Group& group, int k) {
   place.formation = group.members[0], place.member = item;
   if (k == 0) return true;
   Formula alike;
-  const int first = group.members[0];
+  const ItemId first = group.members[0];
   for_each_turn(model_.items[item], [&](int turn, std::uint64_t states) {
     const std::uint64_t same = model_.items[first].states_at((turn + (k % 2 == 0 ? 0 : 180)) % 360);
     if (same) alike.add().when(item, states).when(first, same);
@@ -222,18 +221,18 @@ bool Habits::stand_in_islands(int item, const Group& group, int k) {
   return true;
 }
 
-bool Habits::stand_in_formation(int item) {
+bool Habits::stand_in_formation(ItemId item) {
   if (stand_in_blocks(item)) return true;
   const std::optional<Group> group = formation_with(item);
   if (!group) return false;
   const int k = static_cast<int>(std::find(group->members.begin(), group->members.end(), item) - group->members.begin());
-  const int first = group->members[0];
+  const ItemId first = group->members[0];
   if (group->columns == 0 && model_.items[first].entry->back_to_wall && fits_islands(first)) return stand_in_islands(item, *group, k);
   Formula f;
   // Tables stand before the bar; those of a class before the board.
   const bool tables = group->columns == 0 && model_.items[first].is(Trait::kTable);
-  const int bar = tables ? counter_of_room() : -1, waited_at = group->columns > 0 || !tables ? desk_waited_at(*group) : -1;
-  const int counter = waited_at >= 0 ? waited_at : tables && bar < 0 ? board_of_room() : bar;
+  const ItemId bar = tables ? counter_of_room() : ItemId(), waited_at = group->columns > 0 || !tables ? desk_waited_at(*group) : ItemId();
+  const ItemId counter = waited_at.exists() ? waited_at : tables && !bar.exists() ? board_of_room() : bar;
   // Round something in the middle of the room each stands where there is room for it.
   const bool crossed = !told_middle_with_others(first) && middle_is_taken(first);
   const bool looks =
@@ -245,20 +244,21 @@ bool Habits::stand_in_formation(int item) {
                        .columns = group->columns,
                        .weight = crossed ? 2 * kFormation : kFormation,
                        .in_line = crossed ? 0 : kInLine,
-                       .before = waited_at < 0 && (looks || counter != bar) ? depth_before(first) : 0,
+                       .before = !waited_at.exists() && (looks || counter != bar) ? depth_before(first) : 0,
                        .seats = depth_of_seats(*group),
                        .in_view = view_of(*group),
                        .leader = group->columns == 0 ? leader_of(*group) : -1,
                        .counter = counter,
                        .part = part_of(*group)});
   if (f.cases.empty()) return false;
-  Constraint& place = habit("in formation", item, kFormation, std::move(f), counter >= 0 ? std::vector<int>{counter} : std::vector<int>{});
+  Constraint& place =
+      habit("in formation", item, kFormation, std::move(f), counter.exists() ? std::vector<ItemId>{counter} : std::vector<ItemId>{});
   place.formation = first, place.member = item;
   keep_off_faced(item);
   if (k == 0) {
     if (told_where_to_look(item)) return true;
     look_at(item, true, group->members);
-    const std::vector<int> seen = seen_by_crowd(item);
+    const std::vector<ItemId> seen = seen_by_crowd(item);
     if (!seen.empty() && model_.items[seen[0]].is(Trait::kScreen)) stand_before_middle_of(group->members, stand_of_screen(seen[0]));
   } else if (model_.items[item].has_front) {
     turn_as(item, group->members[0]);

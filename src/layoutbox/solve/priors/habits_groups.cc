@@ -5,11 +5,10 @@
 namespace layoutbox::placement {
 
 // The desk below a loft bed does not reach out beyond it, where the ladder is and one walks.
-void Habits::stay_under_loft(int item) {
+void Habits::stay_under_loft(ItemId item) {
   constexpr int kWithin = 400;  // points a metre
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int loft = static_cast<int>(i);
-    if (!model_.items[i].stood_under || !related_as_target(item, loft, RelationType::kUnder)) continue;
+  for (const ItemId loft : model_.items.ids()) {
+    if (!model_.items[loft].stood_under || !related_as_target(item, loft, RelationType::kUnder)) continue;
     Formula f;
     Case& c = f.add();
     for (const int axis : {0, 1}) c.require(lo(item, axis) - lo(loft, axis)).require(hi(loft, axis) - hi(item, axis));
@@ -18,7 +17,7 @@ void Habits::stay_under_loft(int item) {
 }
 
 // A table that one sits at upright, with those who do.
-bool Habits::is_dined_at(int item) const {
+bool Habits::is_dined_at(ItemId item) const {
   const Item& table = model_.items[item];
   return table.is(Trait::kTable) && !table.is(Trait::kDeskLike) && table.mount == Mount::kFloor && !table.entry->back_to_wall &&
          table.states[0].size.height >= measures().sat_at_from && has_sitters(item);
@@ -26,12 +25,11 @@ bool Habits::is_dined_at(int item) const {
 
 // Who dines does not sit among the sofas: the table, with the chairs round it, keeps off what belongs to the talking group; nor do those
 // who read lean against the shelves.
-void Habits::keep_off_sofas(int item) {
+void Habits::keep_off_sofas(ItemId item) {
   constexpr int kApart = 300;  // points a metre
   if (!is_dined_at(item)) return;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int other = static_cast<int>(i);
-    const Item& ref = model_.items[i];
+  for (const ItemId other : model_.items.ids()) {
+    const Item& ref = model_.items[other];
     if (ref.is_opening() || ref.mount != Mount::kFloor || ref.thin || related(item, other)) continue;
     const bool sofa = ref.is(Trait::kCenterPiece) && !ref.is(Trait::kBed);
     const bool shelf = ref.is(Trait::kShelving) && ref.states[0].size.height >= measures().tall_from;
@@ -45,13 +43,13 @@ void Habits::keep_off_sofas(int item) {
 }
 
 // A sofa does not take the floor by a bed, where one gets up.
-void Habits::keep_off_beds(int item) {
+void Habits::keep_off_beds(ItemId item) {
   constexpr int kOff = 300;  // points a metre
   const Item& self = model_.items[item];
   if (!self.is(Trait::kCenterPiece) || self.is(Trait::kBed)) return;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int bed = static_cast<int>(i);
-    if (model_.items[i].is_opening() || model_.items[i].mount != Mount::kFloor || !model_.items[i].is(Trait::kBed) || related(item, bed))
+  for (const ItemId bed : model_.items.ids()) {
+    if (model_.items[bed].is_opening() || model_.items[bed].mount != Mount::kFloor || !model_.items[bed].is(Trait::kBed) ||
+        related(item, bed))
       continue;
     Formula f;
     for (const int axis : {0, 1}) {
@@ -61,44 +59,42 @@ void Habits::keep_off_beds(int item) {
   }
 }
 
-// The table that a sideboard (a low and long cupboard that nothing looks at) goes with: the only one that is dined at; -1: none.
-int Habits::table_served_by(int item) const {
+// The table that a sideboard (a low and long cupboard that nothing looks at) goes with: the only one that is dined at, if any.
+ItemId Habits::table_served_by(ItemId item) const {
   constexpr Mm kHigh = 1100, kLong = 1000;
   const Item& self = model_.items[item];
   const Size& size = self.states[0].size;
   const bool sideboard = self.mount == Mount::kFloor && self.entry->back_to_wall && self.entry->top_carries && size.height <= kHigh &&
                          size.width >= kLong && !self.is(Trait::kBed) && !self.is(Trait::kSeat);
   const bool worked_at = self.is(Trait::kKitchenRun) || self.is(Trait::kCounter) || self.is(Trait::kDeskLike);
-  if (!sideboard || worked_at || is_faced_by_kind(item) || placed_by_relation_besides_walls(item)) return -1;
-  int table = -1;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int other = static_cast<int>(i);
-    if (model_.items[i].is_opening() || !is_dined_at(other)) continue;
-    if (table >= 0) return -1;
+  if (!sideboard || worked_at || is_faced_by_kind(item) || placed_by_relation_besides_walls(item)) return {};
+  ItemId table;
+  for (const ItemId other : model_.items.ids()) {
+    if (model_.items[other].is_opening() || !is_dined_at(other)) continue;
+    if (table.exists()) return {};
     table = other;
   }
   return table;
 }
 
 // A sideboard has its middle before that of its table, and no window behind what it carries.
-void Habits::stand_in_table_axis(int item) {
+void Habits::stand_in_table_axis(ItemId item) {
   constexpr int kInAxis = 120, kClearOfWindow = 100;  // points a metre
   constexpr Mm kBehind = 400;
-  const int table = table_served_by(item);
-  if (table < 0) return;
+  const ItemId table = table_served_by(item);
+  if (!table.exists()) return;
   Formula f;
   for (const RoomWall& wall : model_.walls) {
     if (!wall.straight) continue;
     f.add().when(item, states_with_back_to(model_.items[item], wall)).wish(mid2(item, wall.along) - mid2(table, wall.along), kInAxis, 2);
   }
   if (!f.cases.empty()) habit("in the table's axis", item, kInAxis, std::move(f), {table});
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int window = static_cast<int>(i);
-    if (!model_.items[i].is_opening() || model_.items[i].opening->type != OpeningType::kWindow) continue;
+  for (const ItemId window : model_.items.ids()) {
+    if (!model_.items[window].is_opening() || model_.items[window].opening->type != OpeningType::kWindow) continue;
     Formula clear;
-    for_each_turn(model_.items[i], [&](int turn, std::uint64_t states) {
+    for_each_turn(model_.items[window], [&](int turn, std::uint64_t states) {
       if (turn % 90 != 0) return;
-      const Direction front = side_direction(model_.items[i], Side::kFront, turn);
+      const Direction front = side_direction(model_.items[window], Side::kFront, turn);
       clear.add().when(window, states).require(gap_towards(item, window, front) - Linear(kBehind));
       for (const int sign : {1, -1}) clear.add().when(window, states).require(gap_towards(item, window, {across(front), sign}));
     });
@@ -107,7 +103,7 @@ void Habits::stand_in_table_axis(int item) {
 }
 
 // The relation by which it parts two groups of the room: a shelf between the bed and the sofa. Null: none.
-const Relation* Habits::divided_by(int item) const {
+const Relation* Habits::divided_by(ItemId item) const {
   const auto found = std::ranges::find_if(model_.scene->relations, [&](const Relation& r) {
     return r.type == RelationType::kBetween && r.origin == Origin::kConcluded && r.references.size() == 2 &&
            r.targets == std::vector<std::string>{model_.items[item].id};
@@ -116,13 +112,13 @@ const Relation* Habits::divided_by(int item) const {
 }
 
 // What parts two groups stands across the way from one to the other, before the middle of the first.
-void Habits::stand_across(int item) {
+void Habits::stand_across(ItemId item) {
   constexpr Mm kRoom = 700;
   constexpr int kAcross = 500;  // points a metre
   const Relation* parts = divided_by(item);
   if (parts == nullptr) return;
-  const int one = model_.find_item(parts->references[0]), other = model_.find_item(parts->references[1]);
-  if (one < 0 || other < 0) return;
+  const ItemId one = model_.find_item(parts->references[0]), other = model_.find_item(parts->references[1]);
+  if (!one.exists() || !other.exists()) return;
   Formula f;
   for (const int axis : {0, 1}) {
     const std::uint64_t across = states_with_width_along(model_.items[item], 1 - axis);
@@ -138,18 +134,18 @@ void Habits::stand_across(int item) {
 }
 
 // The rug that others sit on, on beanbags and cushions, is theirs: no table stands on it.
-void Habits::keep_off_sitters_rug(int item) {
+void Habits::keep_off_sitters_rug(ItemId item) {
   constexpr int kOff = 400;  // points a metre
   const Item& self = model_.items[item];
   if (!self.is(Trait::kTable)) return;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int rug = static_cast<int>(i);
-    if (!model_.items[i].thin || model_.items[i].mount != Mount::kFloor || related(item, rug)) continue;
+  for (const ItemId rug : model_.items.ids()) {
+    if (!model_.items[rug].thin || model_.items[rug].mount != Mount::kFloor || related(item, rug)) continue;
     const bool sat_on = std::ranges::any_of(model_.scene->relations, [&](const Relation& r) {
-      const int sitter = r.type == RelationType::kOn && r.references == std::vector<std::string>{model_.items[i].id} && !r.targets.empty()
-                             ? model_.find_item(r.targets[0])
-                             : -1;
-      return sitter >= 0 && !model_.items[sitter].is(Trait::kTableSeat) && !model_.items[sitter].has_front;
+      const ItemId sitter =
+          r.type == RelationType::kOn && r.references == std::vector<std::string>{model_.items[rug].id} && !r.targets.empty()
+              ? model_.find_item(r.targets[0])
+              : ItemId();
+      return sitter.exists() && !model_.items[sitter].is(Trait::kTableSeat) && !model_.items[sitter].has_front;
     });
     if (!sat_on) continue;
     Formula f;
@@ -161,13 +157,13 @@ void Habits::keep_off_sitters_rug(int item) {
 }
 
 // In a hall nothing stands opposite anything: one walks past each by itself.
-void Habits::keep_hall_free(int item) {
+void Habits::keep_hall_free(ItemId item) {
   constexpr Mm kNarrow = 1800;
   constexpr int kOpposite = 250;  // points a metre
   const Mm width = model_.room.extent(0), depth = model_.room.extent(1);
   const int along = width > depth ? 0 : 1;
   if (std::min(width, depth) > kNarrow || std::max(width, depth) < 2 * std::min(width, depth)) return;
-  for (int other = 0; other < item; ++other) {
+  for (const ItemId other : ids_before(item)) {
     const Item& ref = model_.items[other];
     if (ref.is_opening() || ref.mount != Mount::kFloor || ref.thin || related(item, other)) continue;
     Formula f;
@@ -177,36 +173,36 @@ void Habits::keep_hall_free(int item) {
 }
 
 // A counter at a window is sat at, looking out: nobody serves there.
-bool Habits::is_window_bar(int item) const {
+bool Habits::is_window_bar(ItemId item) const {
   if (!model_.items[item].is(Trait::kCounter)) return false;
   return std::ranges::any_of(said_of(item), [&](const Relation* r) {
     if (std::ranges::find(r->targets, model_.items[item].id) == r->targets.end()) return false;
     if (r->type == RelationType::kUnderWindow || r->type == RelationType::kNearWindow) return true;
-    const int other = r->references.size() == 1 ? model_.find_item(r->references[0]) : -1;
-    return traits_of(r->type).close_by && other >= 0 && model_.items[other].is_opening() &&
+    const ItemId other = r->references.size() == 1 ? model_.find_item(r->references[0]) : ItemId();
+    return traits_of(r->type).close_by && other.exists() && model_.items[other].is_opening() &&
            model_.items[other].opening->type == OpeningType::kWindow;
   });
 }
 
 // … with its back to the wall below, before the middle of the window.
-void Habits::stand_at_window(int item) {
+void Habits::stand_at_window(ItemId item) {
   back_to_wall(item, kBackToWall);
   Formula f;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+  for (const ItemId i : model_.items.ids()) {
     const Item& window = model_.items[i];
     if (!window.is_opening() || window.opening->type != OpeningType::kWindow) continue;
     for (const RoomWall& wall : model_.walls) {
       if (!wall.straight || (!window.opening->wall.empty() && window.opening->wall != wall.id)) continue;
       Case& c = f.add().when(item, states_with_back_to(model_.items[item], wall));
-      if (window.opening->wall.empty()) c.when(static_cast<int>(i), window.states_at(wall.turn));
-      c.wish(mid2(item, wall.along) - mid2(static_cast<int>(i), wall.along), kAtWall, 2);
+      if (window.opening->wall.empty()) c.when(i, window.states_at(wall.turn));
+      c.wish(mid2(item, wall.along) - mid2(i, wall.along), kAtWall, 2);
     }
   }
   if (!f.cases.empty()) habit("at its window", item, kAtWall, std::move(f));
 }
 
 // A reception desk, a counter: guests before it, who serves behind.
-bool Habits::is_served_over(int item) const {
+bool Habits::is_served_over(ItemId item) const {
   const Item& desk = model_.items[item];
   if (desk.is_opening() || desk.mount != Mount::kFloor || !desk.has_front || !desk.is(Trait::kOpenToRoom) || is_window_bar(item))
     return false;
@@ -216,7 +212,7 @@ bool Habits::is_served_over(int item) const {
 }
 
 // Is the seat a guest's there, who waits to be served? The worker's own is of a kind that stands by desks before all else.
-bool Habits::waits_for(int item, int desk) const {
+bool Habits::waits_for(ItemId item, ItemId desk) const {
   if (!is_served_over(desk) || !model_.items[desk].is(Trait::kDeskLike) || related(item, desk)) return false;
   const std::vector<std::string>& by = model_.items[item].entry->beside;
   const CatalogEntry* first = by.empty() ? nullptr : model_.catalog->find(by[0]);
@@ -224,14 +220,13 @@ bool Habits::waits_for(int item, int desk) const {
 }
 
 // Guests wait before who serves: not behind a reception desk or a counter.
-void Habits::wait_before_counter(int item) {
+void Habits::wait_before_counter(ItemId item) {
   constexpr int kGuests = 700;  // points a metre
   const Item& self = model_.items[item];
   const bool sofa = self.is(Trait::kCenterPiece) && !self.is(Trait::kBed) && self.has_front;
   if (!self.is(Trait::kTableSeat) && !self.is(Trait::kSeat) && !self.is(Trait::kEasySeat) && !sofa) return;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const Item& desk = model_.items[i];
-    const int host = static_cast<int>(i);
+  for (const ItemId host : model_.items.ids()) {
+    const Item& desk = model_.items[host];
     if (host == item || !is_served_over(host) || related(item, host)) continue;
     if (desk.is(Trait::kDeskLike) && !waits_for(item, host)) continue;
     Formula f;
@@ -245,10 +240,10 @@ void Habits::wait_before_counter(int item) {
 }
 
 // Bottles are at the back of who serves: along the counter, an arm and a step behind it.
-bool Habits::stand_behind_server(int item) {
+bool Habits::stand_behind_server(ItemId item) {
   constexpr int kBehindServer = 500, kBeforeMiddle = 200;  // points a metre
-  const int counter = model_.items[item].is(Trait::kBehindServer) && !placed_by_relation(item) ? counter_of_room() : -1;
-  if (counter < 0) return false;
+  const ItemId counter = model_.items[item].is(Trait::kBehindServer) && !placed_by_relation(item) ? counter_of_room() : ItemId();
+  if (!counter.exists()) return false;
   Formula f;
   for_each_turn(model_.items[counter], [&](int turn, std::uint64_t states) {
     const std::uint64_t alike = model_.items[item].states_at(turn);
@@ -265,7 +260,7 @@ bool Habits::stand_behind_server(int item) {
 }
 
 // What stands there between who serves and the wall.
-Mm Habits::depth_behind_server(int counter) const {
+Mm Habits::depth_behind_server(ItemId counter) const {
   Mm depth = 0;
   for (const Item& item : model_.items) {
     if (!item.is_opening() && item.is(Trait::kBehindServer) && counter_of_room() == counter)
@@ -275,12 +270,11 @@ Mm Habits::depth_behind_server(int counter) const {
 }
 
 // Who receives looks at those who come in: the doors are before a reception desk or a counter, not behind it.
-void Habits::face_entrance(int item) {
+void Habits::face_entrance(ItemId item) {
   constexpr int kSeen = 250;  // points a metre
   if (!is_served_over(item)) return;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const Item& door = model_.items[i];
-    const int host = static_cast<int>(i);
+  for (const ItemId host : model_.items.ids()) {
+    const Item& door = model_.items[host];
     if (!door.is_opening() || door.opening->type != OpeningType::kDoor) continue;
     Formula f;
     for_each_turn(model_.items[item], [&](int turn, std::uint64_t states) {

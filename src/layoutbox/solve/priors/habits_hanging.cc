@@ -10,29 +10,29 @@ constexpr Mm kMostUnder = 1300;   // what is higher has nothing above it
 
 }  // namespace
 
-// The bed or couch that it is told to hang next to, else where nothing is told the bed of its rank; -1: none.
-int Habits::curtained_by(int item) const {
+// The bed or couch that it is told to hang next to, else where nothing is told the bed of its rank, if any.
+ItemId Habits::curtained_by(ItemId item) const {
   constexpr Mm kLong = 1500;
-  if (!model_.items[item].curtain) return -1;
+  if (!model_.items[item].curtain) return {};
   for (const Relation* r : said_of(item)) {
-    const int host = r->type == RelationType::kNextTo && r->references.size() == 1 ? model_.find_item(r->references[0]) : -1;
-    if (host < 0 || !related_as_target(item, host, r->type) || model_.items[host].is_opening()) continue;
+    const ItemId host = r->type == RelationType::kNextTo && r->references.size() == 1 ? model_.find_item(r->references[0]) : ItemId();
+    if (!host.exists() || !related_as_target(item, host, r->type) || model_.items[host].is_opening()) continue;
     if (model_.items[host].is(Trait::kBed) || model_.items[host].states[0].size.depth >= kLong) return host;
   }
-  if (told_where_it_hangs(item)) return -1;
-  std::vector<int> beds;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+  if (told_where_it_hangs(item)) return {};
+  std::vector<ItemId> beds;
+  for (const ItemId i : model_.items.ids()) {
     const Item& other = model_.items[i];
-    if (!other.is_opening() && other.is(Trait::kBed) && other.mount == Mount::kFloor) beds.push_back(static_cast<int>(i));
+    if (!other.is_opening() && other.is(Trait::kBed) && other.mount == Mount::kFloor) beds.push_back(i);
   }
-  return beds.empty() ? -1 : beds[static_cast<std::size_t>(rank_of(item)) % beds.size()];
+  return beds.empty() ? ItemId() : beds[static_cast<std::size_t>(rank_of(item)) % beds.size()];
 }
 
 // Several of a kind of which the same is said (hooks above a bench, three pictures) hang side by side at one height.
-bool Habits::hang_in_row(int item) {
+bool Habits::hang_in_row(ItemId item) {
   constexpr Mm kLeastAir = 80, kMostAir = 250;
   constexpr int kInRow = 400;
-  const auto said_of = [&](int i) {
+  const auto said_of = [&](ItemId i) {
     std::vector<std::pair<RelationType, std::vector<std::string>>> said;
     for (const Relation& r : model_.scene->relations) {
       if (r.type != RelationType::kOnWall && std::ranges::find(r.targets, model_.items[i].id) != r.targets.end())
@@ -42,22 +42,23 @@ bool Habits::hang_in_row(int item) {
   };
   const auto mine = said_of(item);
   if (hang_in_row_over(item)) return true;
-  const bool faced = seat_facing(item) >= 0;  // each by a seat of its own
+  const bool faced = seat_facing(item).exists();  // each by a seat of its own
   if (mine.empty() && !faced && !is_of_few_on_wall(item)) return false;
-  int before = -1;
-  for (int i = 0; i < item; ++i) {
+  ItemId before;
+  for (const ItemId i : ids_before(item)) {
     const Item& other = model_.items[i];
     if (!other.is_opening() && other.entry == model_.items[item].entry && other.mount == Mount::kWall && said_of(i) == mine &&
-        (seat_facing(i) >= 0) == faced)
+        seat_facing(i).exists() == faced)
       before = i;
   }
-  if (before < 0) return false;
+  if (!before.exists()) return false;
   const Item& self = model_.items[item];
   // Who sits before each of them needs more width than they.
   const Mm air = std::clamp(self.states[0].size.width / 2, kLeastAir, kMostAir);
-  const auto width_of = [&](int i) {
-    const int seat = seat_facing(i);
-    return std::max(model_.items[i].states[0].size.width + air, seat < 0 ? 0 : model_.items[seat].states[0].size.width + kBetweenMirrored);
+  const auto width_of = [&](ItemId i) {
+    const ItemId seat = seat_facing(i);
+    return std::max(model_.items[i].states[0].size.width + air,
+                    !seat.exists() ? 0 : model_.items[seat].states[0].size.width + kBetweenMirrored);
   };
   const Mm pitch2 = width_of(item) + width_of(before);
   Formula f;
@@ -75,9 +76,9 @@ bool Habits::hang_in_row(int item) {
 }
 
 // One of a few of a kind told to hang on the same wall (or on a wall, and no more): a set, but for lamps, which light it from its ends.
-bool Habits::is_of_few_on_wall(int item) const {
+bool Habits::is_of_few_on_wall(ItemId item) const {
   constexpr int kFew = 5;
-  const auto wall_of = [&](int i) -> const Relation* {
+  const auto wall_of = [&](ItemId i) -> const Relation* {
     const Item& other = model_.items[i];
     if (other.is_opening() || other.mount != Mount::kWall || other.curtain || other.is(Trait::kLamp) || other.is(Trait::kScreen))
       return nullptr;
@@ -92,42 +93,41 @@ bool Habits::is_of_few_on_wall(int item) const {
   const Relation* mine = wall_of(item);
   if (mine == nullptr) return false;
   int alike = 0;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+  for (const ItemId i : model_.items.ids()) {
     if (model_.items[i].entry != model_.items[item].entry) continue;
-    const Relation* other = wall_of(static_cast<int>(i));
+    const Relation* other = wall_of(i);
     if (other == nullptr || other->references != mine->references) return false;
     ++alike;
   }
   return alike >= 2 && alike <= kFew;
 }
 
-// The seat that alone is told to face what hangs on the wall, or that has it for its mirror; -1: none.
-int Habits::seat_facing(int item) const {
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int seat = static_cast<int>(i);
-    if (!model_.items[i].is(Trait::kSeat) && !model_.items[i].is(Trait::kEasySeat)) continue;
+// The seat that alone is told to face what hangs on the wall, or that has it for its mirror, if any.
+ItemId Habits::seat_facing(ItemId item) const {
+  for (const ItemId seat : model_.items.ids()) {
+    if (!model_.items[seat].is(Trait::kSeat) && !model_.items[seat].is(Trait::kEasySeat)) continue;
     if (related_as_target(seat, item, RelationType::kFacing) || is_told_before_mirror(seat, item) ||
         (is_wall_mirror(item) && usual_mirror_of(seat) == item))
       return seat;
   }
-  return -1;
+  return {};
 }
 
-// The table that a meeting sits round, or -1.
-int Habits::long_table() const {
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+// The table that a meeting sits round, if any.
+ItemId Habits::long_table() const {
+  for (const ItemId i : model_.items.ids()) {
     const Item& table = model_.items[i];
     const Size& size = table.states[0].size;
     const bool long_one = 2 * std::max(size.width, size.depth) >= 3 * std::min(size.width, size.depth);
     if (table.is(Trait::kTable) && table.mount == Mount::kFloor && !table.entry->back_to_wall && !table.has_front && long_one &&
         has_knee_room(table) && !table.is(Trait::kCoffeeTable))
-      return static_cast<int>(i);
+      return i;
   }
-  return -1;
+  return {};
 }
 
 // At the end of the table, so that nobody has it behind.
-void Habits::hang_before_table(Formula& f, int item, int table) {
+void Habits::hang_before_table(Formula& f, ItemId item, ItemId table) {
   constexpr int kAtSide = 100;
   const Item& long_one = model_.items[table];
   for (const RoomWall& wall : model_.walls) {
@@ -145,16 +145,15 @@ void Habits::hang_before_table(Formula& f, int item, int table) {
 
 // Cupboards and desks do not stand before a board or a screen that all look at, nor beds, sofas and chairs under a television, nor basins
 // under the mirror that a barber's chair is before.
-void Habits::leave_free_before(int item) {
+void Habits::leave_free_before(ItemId item) {
   constexpr Mm kBefore = 800;
   constexpr int kFree = 400, kOverRun = 120;  // points a metre
   const Item& self = model_.items[item];
-  const bool mirror = is_wall_mirror(item) && seat_facing(item) >= 0;
+  const bool mirror = is_wall_mirror(item) && seat_facing(item).exists();
   if (!self.is(Trait::kScreen) && !mirror) return;
   const bool board = mirror || !self.is(Trait::kElseOnWall);
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int other = static_cast<int>(i);
-    const Item& ref = model_.items[i];
+  for (const ItemId other : model_.items.ids()) {
+    const Item& ref = model_.items[other];
     if (ref.is_opening() || ref.mount != Mount::kFloor) continue;
     const bool sits_under = !board && (ref.is(Trait::kSeat) || ref.is(Trait::kEasySeat)) && !placed_by_relation(other);
     if ((!ref.entry->back_to_wall && !sits_under) || (mirror && ref.entry->top_carries)) continue;
@@ -175,14 +174,13 @@ void Habits::leave_free_before(int item) {
 }
 
 // What is looked at does not hang where an open door's leaf covers it: so far from the door, or so far into the room.
-void Habits::hang_clear_of_doors(int item) {
+void Habits::hang_clear_of_doors(ItemId item) {
   constexpr Mm kBesideFrame = 80;
   constexpr int kBehindLeaf = 400;  // points a metre
   const Item& self = model_.items[item];
   if (!self.is(Trait::kScreen) && !self.is(Trait::kMirror)) return;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int door = static_cast<int>(i);
-    const Item& ref = model_.items[i];
+  for (const ItemId door : model_.items.ids()) {
+    const Item& ref = model_.items[door];
     if (!ref.is_opening() || ref.opening->type != OpeningType::kDoor || related(item, door)) continue;
     Formula f;
     for_each_turn(ref, [&](int turn, std::uint64_t states) {
@@ -197,29 +195,28 @@ void Habits::hang_clear_of_doors(int item) {
 }
 
 // Over what the thing on the wall usually hangs.
-std::vector<int> Habits::usually_under(int item) const {
+std::vector<ItemId> Habits::usually_under(ItemId item) const {
   const Item& self = model_.items[item];
-  std::vector<int> under;
+  std::vector<ItemId> under;
   // A board that a class looks at hangs over nobody's desk.
   const bool is_faced = std::ranges::any_of(model_.scene->relations, [&](const Relation& r) {
     return r.type == RelationType::kFacing && std::ranges::find(r.references, self.id) != r.references.end();
   });
   const bool board = self.is(Trait::kScreen) && !self.is(Trait::kElseOnWall);
-  if (is_faced || board || (is_wall_mirror(item) && seat_facing(item) >= 0)) return under;
+  if (is_faced || board || (is_wall_mirror(item) && seat_facing(item).exists())) return under;
   under = items_of_kinds(Groups::usual_at(Groups::builtin().hangs, *model_.catalog, *self.entry, Mount::kWall), item);
   // A wardrobe leaves no wall above it.
-  std::erase_if(under, [&](int i) {
+  std::erase_if(under, [&](ItemId i) {
     return model_.items[i].states[0].size.height > kMostUnder || (self.is(Trait::kScreen) && model_.items[i].is(Trait::kKitchenRun));
   });
   return under;
 }
 
 // What is told to hang below something on the wall hangs close below it, not at a height of its own: a shelf below a mirror.
-bool Habits::hang_close_below(int item) {
+bool Habits::hang_close_below(ItemId item) {
   constexpr Mm kAir = 60;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int over = static_cast<int>(i);
-    if (over == item || model_.items[i].is_opening() || model_.items[i].mount != Mount::kWall) continue;
+  for (const ItemId over : model_.items.ids()) {
+    if (over == item || model_.items[over].is_opening() || model_.items[over].mount != Mount::kWall) continue;
     if (!related_as_target(item, over, RelationType::kUnder)) continue;
     Formula f;
     f.add().wish(lo(over, 2) - hi(item, 2) - Linear(kAir), kHangHeight);
@@ -230,7 +227,7 @@ bool Habits::hang_close_below(int item) {
 }
 
 // At its usual height; a curtain at its window, a picture over something, else in the middle of a wall.
-void Habits::hang_on_wall(int item) {
+void Habits::hang_on_wall(ItemId item) {
   const Item& self = model_.items[item];
   if (!hang_close_below(item)) {
     Formula height;
@@ -248,9 +245,9 @@ void Habits::hang_on_wall(int item) {
   look_at(item, self.is(Trait::kScreen));
   if (hang_in_row(item)) return;
   if (placed_by_relation_besides_walls(item)) return;
-  const std::vector<int> under = usually_under(item);
+  const std::vector<ItemId> under = usually_under(item);
   Formula f;
-  std::vector<int> hosts;
+  std::vector<ItemId> hosts;
   if (static_cast<std::size_t>(rank_of(item)) < under.size()) {
     hosts.push_back(under[rank_of(item)]);
     for (const RoomWall& wall : model_.walls) {
@@ -259,7 +256,8 @@ void Habits::hang_on_wall(int item) {
       c.wish(mid2(item, wall.normal()) - mid2(hosts[0], wall.normal()), kHangs / 2, 2);
       c.require(lo(item, 2) - hi(hosts[0], 2) - Linear(120));
     }
-  } else if (const int table = self.is(Trait::kScreen) && items_of_kinds(self.entry->faces, item).empty() ? long_table() : -1; table >= 0) {
+  } else if (const ItemId table = self.is(Trait::kScreen) && items_of_kinds(self.entry->faces, item).empty() ? long_table() : ItemId();
+             table.exists()) {
     hang_before_table(f, item, table);
     hosts.push_back(table);
   } else {
@@ -273,33 +271,32 @@ void Habits::hang_on_wall(int item) {
   habit("hangs", item, kHangs, std::move(f), hosts);
 }
 
-std::uint64_t Habits::states_facing(int item, const RoomWall& wall) const {
+std::uint64_t Habits::states_facing(ItemId item, const RoomWall& wall) const {
   const std::uint64_t states = states_at_angle(model_.items[item], wall.angle, 360);
   return states ? states : model_.items[item].all_states;
 }
 
-bool Habits::placed_by_relation_besides_walls(int item) const {
+bool Habits::placed_by_relation_besides_walls(ItemId item) const {
   return std::ranges::any_of(said_of(item), [&](const Relation* r) {
     const bool target = std::ranges::find(r->targets, model_.items[item].id) != r->targets.end();
     return target && r->type != RelationType::kOnWall && r->type != RelationType::kAgainstWall;
   });
 }
 
-void Habits::cover_window(int item) {
-  std::vector<int> windows;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    if (model_.items[i].is_opening() && model_.items[i].opening->type == OpeningType::kWindow) windows.push_back(static_cast<int>(i));
+void Habits::cover_window(ItemId item) {
+  std::vector<ItemId> windows;
+  for (const ItemId i : model_.items.ids()) {
+    if (model_.items[i].is_opening() && model_.items[i].opening->type == OpeningType::kWindow) windows.push_back(i);
   }
   if (windows.empty()) return;
   // Several at one window share its width: each is at the one that it is told to be at, the others by turns.
   std::ptrdiff_t rank = 0, k = 0, sharing = 0;
-  int window = -1;
-  std::vector<std::pair<int, int>> hung;  // curtain, window
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int other = static_cast<int>(i);
-    if (!model_.items[i].curtain || model_.items[i].mount != Mount::kWall) continue;
-    const auto told = std::ranges::find_if(windows, [&](int w) { return related_as_target(other, w, RelationType::kNextTo); });
-    const int at = told != windows.end() ? *told : windows[static_cast<std::size_t>(rank) % windows.size()];
+  ItemId window;
+  std::vector<std::pair<ItemId, ItemId>> hung;  // curtain, window
+  for (const ItemId other : model_.items.ids()) {
+    if (!model_.items[other].curtain || model_.items[other].mount != Mount::kWall) continue;
+    const auto told = std::ranges::find_if(windows, [&](ItemId w) { return related_as_target(other, w, RelationType::kNextTo); });
+    const ItemId at = told != windows.end() ? *told : windows[static_cast<std::size_t>(rank) % windows.size()];
     ++rank;
     if (other == item) window = at;
     hung.emplace_back(other, at);

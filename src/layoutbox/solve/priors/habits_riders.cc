@@ -14,21 +14,21 @@ constexpr int kAtHand = 80, kSpot = 40, kScreensInLine = 150;
 }  // namespace
 
 // The side farthest from who uses what stands there, and the one to their right: of a desk that is sat behind the farthest is its front.
-std::pair<Side, Side> Habits::sides_on(int host, bool screen) const {
+std::pair<Side, Side> Habits::sides_on(ItemId host, bool screen) const {
   if (screen && model_.items[host].has_front && is_sat_behind(host)) return {Side::kFront, Side::kLeft};
   return {Side::kBack, Side::kRight};
 }
 
 // What stands on something looks the way that looks; screens stand in its middle, the rest is spread over it.
-void Habits::sit_on_host(int item) {
+void Habits::sit_on_host(ItemId item) {
   const Item& self = model_.items[item];
   const bool screen = self.is(Trait::kScreen);
   for (const SupportOption& support : self.supports) {
     if (support.kind != SupportOption::Kind::kItem) continue;
     const Item& host = model_.items[support.item];
     const std::optional<Spot> spot = screen ? spot_of_screen(item, support.item) : spot_on(item, support.item);
-    const int user = self.is(Trait::kMonitor) ? seat_told_to_be_at(support.item, rank_of(item)) : -1;
-    if (user >= 0) look_at_user(item, user);
+    const ItemId user = self.is(Trait::kMonitor) ? seat_told_to_be_at(support.item, rank_of(item)) : ItemId();
+    if (user.exists()) look_at_user(item, user);
     const std::pair<Side, Side> sides = sides_on(support.item, screen);
     Formula f;
     for_each_turn(host, [&](int turn, std::uint64_t states) {
@@ -36,7 +36,7 @@ void Habits::sit_on_host(int item) {
       // A till, a scale, a coffee machine are for who serves.
       const bool for_staff = is_served_over(support.item);
       const bool towards_seat = for_staff || (screen && (used_side(host) == Side::kBack || is_sat_behind(support.item)));
-      if (self.has_front && user < 0) c.when(item, self.states_at((turn + (towards_seat ? 180 : 0)) % 360));
+      if (self.has_front && !user.exists()) c.when(item, self.states_at((turn + (towards_seat ? 180 : 0)) % 360));
       const Direction back = side_direction(host, sides.first, turn), right = side_direction(host, sides.second, turn);
       if (spot) c.wish(mid2(item, right.axis) - mid2(support.item, right.axis) - Linear(right.sign * spot->right2), screen ? 80 : kSpot, 2);
       if (spot && spot->back2) {
@@ -51,7 +51,7 @@ void Habits::sit_on_host(int item) {
 }
 
 // Is it the words "on" or "in" that alone say where on its host something is?
-bool Habits::lies_free(int item, int host) const {
+bool Habits::lies_free(ItemId item, ItemId host) const {
   const std::string& id = model_.items[item].id;
   return rests_on(item, host) && !model_.items[item].is(Trait::kScreen) && !model_.items[item].is(Trait::kKeyboard) &&
          !model_.items[item].is(Trait::kMouse) && std::ranges::none_of(model_.scene->relations, [&](const Relation& r) {
@@ -64,18 +64,18 @@ bool Habits::lies_free(int item, int host) const {
 // What lies free on one thing is spread over it in rows, in the order of the words, one thing alone in the middle; what is placed by its
 // neighbours goes with these. At the back of what is deep and has a front, at the front of shelves; nothing where there are too many for
 // even rows.
-std::optional<Habits::Spot> Habits::spot_on(int item, int host) const {
+std::optional<Habits::Spot> Habits::spot_on(ItemId item, ItemId host) const {
   constexpr Mm kApart = 30, kLeastApart = 4, kDeep = 500, kWorkingHeight = 600, kFromShelfEdge = 30;
   if (!lies_free(item, host)) return {};
   const Item& below = model_.items[host];
   Mm widest = 0, screens = 0;  // widths
   std::int64_t before = 0, all = 0;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+  for (const ItemId i : model_.items.ids()) {
     const Size& size = model_.items[i].states[0].size;
-    if (model_.items[i].is(Trait::kScreen) && rests_on(static_cast<int>(i), host)) screens += size.width;
-    if (!lies_free(static_cast<int>(i), host)) continue;
+    if (model_.items[i].is(Trait::kScreen) && rests_on(i, host)) screens += size.width;
+    if (!lies_free(i, host)) continue;
     widest = std::max({widest, size.width, size.depth});
-    before += static_cast<int>(i) < item;
+    before += i < item;
     ++all;
   }
   const Size& top = below.states[0].size;
@@ -116,14 +116,14 @@ std::optional<Habits::Spot> Habits::spot_beside_screens(Mm length, Mm screens, M
 }
 
 // Screens on one desk stand side by side; one alone on something small in its middle.
-Habits::Spot Habits::spot_of_screen(int item, int host) const {
+Habits::Spot Habits::spot_of_screen(ItemId item, ItemId host) const {
   constexpr Mm kApart = 20;
   std::int64_t riders = 0, screens = 0, before = 0;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    if (!rests_on(static_cast<int>(i), host)) continue;
+  for (const ItemId i : model_.items.ids()) {
+    if (!rests_on(i, host)) continue;
     ++riders;
     if (model_.items[i].entry != model_.items[item].entry) continue;
-    before += static_cast<int>(i) < item;
+    before += i < item;
     ++screens;
   }
   const Mm width = model_.items[item].states[0].size.width, has = model_.items[host].states[0].size.width;
@@ -133,43 +133,44 @@ Habits::Spot Habits::spot_of_screen(int item, int host) const {
 }
 
 // At the back of its host; of several screens the others in line with the first, wherever that is.
-void Habits::stand_at_back(Case& c, int item, int host, Direction back) const {
-  if (const std::vector<int> first = screen_before(item, host); !first.empty())
+void Habits::stand_at_back(Case& c, ItemId item, ItemId host, Direction back) const {
+  if (const std::vector<ItemId> first = screen_before(item, host); !first.empty())
     c.wish(reach(item, back) - reach(first.front(), back), kScreensInLine);
   else
     c.wish(reach(item, back) - reach(host, back) + Linear(kFromBack), model_.items[item].is(Trait::kScreen) ? 100 : 25);
 }
 
 // The first of its kind on that host, where a screen is not that itself; else none.
-std::vector<int> Habits::screen_before(int item, int host) const {
-  for (int i = 0; model_.items[item].is(Trait::kScreen) && i < item; ++i) {
+std::vector<ItemId> Habits::screen_before(ItemId item, ItemId host) const {
+  if (!model_.items[item].is(Trait::kScreen)) return {};
+  for (const ItemId i : ids_before(item)) {
     if (model_.items[i].entry == model_.items[item].entry && rests_on(i, host)) return {i};
   }
   return {};
 }
 
-bool Habits::rests_on(int item, int host) const {
+bool Habits::rests_on(ItemId item, ItemId host) const {
   const std::vector<SupportOption>& supports = model_.items[item].supports;
   return std::any_of(supports.begin(), supports.end(),
                      [&](const SupportOption& s) { return s.kind == SupportOption::Kind::kItem && s.item == host; });
 }
 
-// The first such thing that stands on the host, or -1.
-int Habits::rider_that_is(Trait trait, int host) const {
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    if (model_.items[i].is(trait) && rests_on(static_cast<int>(i), host)) return static_cast<int>(i);
+// The first such thing that stands on the host, if any.
+ItemId Habits::rider_that_is(Trait trait, ItemId host) const {
+  for (const ItemId i : model_.items.ids()) {
+    if (model_.items[i].is(trait) && rests_on(i, host)) return i;
   }
-  return -1;
+  return {};
 }
 
 // A keyboard lies at the used edge of its desk before the screen, a mouse to the right of the keyboard. False: it is neither.
-bool Habits::lie_at_hand(int item, int host) {
+bool Habits::lie_at_hand(ItemId item, ItemId host) {
   const bool mouse = model_.items[item].is(Trait::kMouse);
   if (!mouse && !model_.items[item].is(Trait::kKeyboard)) return false;
   const Item& desk = model_.items[host];
   if (!desk.has_front) return false;
   const Side used = used_side(desk) == Side::kBack || is_sat_behind(host) ? Side::kBack : Side::kFront;
-  const int keys = mouse ? rider_that_is(Trait::kKeyboard, host) : -1, screen = rider_that_is(Trait::kMonitor, host);
+  const ItemId keys = mouse ? rider_that_is(Trait::kKeyboard, host) : ItemId(), screen = rider_that_is(Trait::kMonitor, host);
   Formula f;
   for_each_turn(desk, [&](int turn, std::uint64_t states) {
     if (turn % 90 != 0) return;
@@ -178,17 +179,17 @@ bool Habits::lie_at_hand(int item, int host) {
     Case& c = f.add().when(host, states);
     c.when(item, model_.items[item].states_at((turn + (used == Side::kBack ? 180 : 0)) % 360));
     c.wish(reach(item, edge) - reach(host, edge) + Linear(kFromEdge), kAtHand);
-    if (keys >= 0) {
+    if (keys.exists()) {
       c.wish(gap_towards(item, keys, right) - Linear(kBesideKeys), kAtHand);
     } else {
-      const int before = screen >= 0 ? screen : host;
+      const ItemId before = screen.exists() ? screen : host;
       c.wish(mid2(item, right.axis) - mid2(before, right.axis) - Linear(mouse ? right.sign * 500 : 0), kAtHand, 2);
     }
   });
   habit("at hand", item, kSits, std::move(f),
-        keys >= 0     ? std::vector<int>{keys}
-        : screen >= 0 ? std::vector<int>{screen}
-                      : std::vector<int>{});
+        keys.exists()     ? std::vector<ItemId>{keys}
+        : screen.exists() ? std::vector<ItemId>{screen}
+                          : std::vector<ItemId>{});
   return true;
 }
 

@@ -12,7 +12,7 @@ constexpr int kWallFree = 400;  // points a metre
 }  // namespace
 
 // Do words say no more of where it stands than that it is across from a door, or so far from something?
-bool Habits::only_told_across(int item) const {
+bool Habits::only_told_across(ItemId item) const {
   return std::ranges::none_of(model_.scene->relations, [&](const Relation& r) {
     const bool leaves = traits_of(r.type).keeps_off || r.type == RelationType::kFacing;
     return !leaves && std::ranges::find(r.targets, model_.items[item].id) != r.targets.end();
@@ -20,7 +20,7 @@ bool Habits::only_told_across(int item) const {
 }
 
 // A desk that somebody is told to sit behind, or a counter that somebody serves over, stands off the wall, its front to the room.
-bool Habits::leave_room_behind(int item) {
+bool Habits::leave_room_behind(ItemId item) {
   constexpr Mm kForSitter = 1100, kForServer = 590;
   constexpr int kBehind = 400;  // points a metre
   const Item& self = model_.items[item];
@@ -45,10 +45,9 @@ bool Habits::leave_room_behind(int item) {
 }
 
 // Something else is told to be in the middle.
-bool Habits::middle_is_taken(int item) const {
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const Item& other = model_.items[i];
-    const int index = static_cast<int>(i);
+bool Habits::middle_is_taken(ItemId item) const {
+  for (const ItemId index : model_.items.ids()) {
+    const Item& other = model_.items[index];
     if (index == item || other.is_opening() || other.mount != Mount::kFloor || other.thin) continue;
     if (std::ranges::any_of(model_.scene->relations, [&](const Relation& r) {
           return r.type == RelationType::kCenterOfRoom && std::ranges::find(r.targets, other.id) != r.targets.end();
@@ -59,27 +58,26 @@ bool Habits::middle_is_taken(int item) const {
 }
 
 // Seats that words put there, or that usually stand there and are nowhere else.
-bool Habits::has_sitters(int item) const { return sitters_of(item) > 0; }
+bool Habits::has_sitters(ItemId item) const { return sitters_of(item) > 0; }
 
 // The only one who sits there works there, and has the wall or the window before him.
-bool Habits::is_sat_at_alone(int item) const {
+bool Habits::is_sat_at_alone(ItemId item) const {
   constexpr std::int64_t kForOne = 1'600'000;  // mm²
   return model_.items[item].is(Trait::kTable) && area_of(model_.items[item]) <= kForOne && sitters_of(item) == 1;
 }
 
-int Habits::sitters_of(int item) const {
+int Habits::sitters_of(ItemId item) const {
   int sitters = 0;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int seat = static_cast<int>(i);
-    if (!model_.items[i].is(Trait::kTableSeat) || !takes_seat(item, seat)) continue;
-    const std::vector<std::string>& at = model_.items[i].entry->beside;
+  for (const ItemId seat : model_.items.ids()) {
+    if (!model_.items[seat].is(Trait::kTableSeat) || !takes_seat(item, seat)) continue;
+    const std::vector<std::string>& at = model_.items[seat].entry->beside;
     const bool usual = std::ranges::any_of(at, [&](const std::string& kind) { return model_.is_a(item, kind); });
     sitters += related(seat, item) || (usual && !placed_besides_facing(seat));
   }
   return sitters;
 }
 
-void Habits::stand_in_middle(int item) {
+void Habits::stand_in_middle(ItemId item) {
   Formula f;
   Case& c = f.add();
   for (int axis = 0; axis < 2; ++axis) c.wish(mid2(item, axis) - room_mid2(model_, axis), kMiddle, 2);
@@ -87,7 +85,7 @@ void Habits::stand_in_middle(int item) {
 }
 
 // What has no front is turned with a slanted wall only where it is near one.
-void Habits::lie_straight(int item) {
+void Habits::lie_straight(ItemId item) {
   const Item& self = model_.items[item];
   if (self.has_front || self.odd_states == 0 || quarter_states(self) == 0) return;
   Formula f;
@@ -102,7 +100,7 @@ void Habits::lie_straight(int item) {
 }
 
 // A bar or a reception desk turns its front to where the guests are; a face, a loudspeaker or a drum kit to all.
-void Habits::open_to_room(int item, int weight) {
+void Habits::open_to_room(ItemId item, int weight) {
   if (!model_.items[item].has_front) return;
   Formula f;
   for_each_turn(model_.items[item], [&](int turn, std::uint64_t states) {
@@ -114,14 +112,13 @@ void Habits::open_to_room(int item, int weight) {
 }
 
 // Behind a bar is who serves: the guests' tables stand before it.
-void Habits::keep_before_counter(int item) {
+void Habits::keep_before_counter(ItemId item) {
   constexpr Mm kBefore = 700;
   constexpr int kGuests = 300;  // points a metre
   const Item& self = model_.items[item];
   if (!self.is(Trait::kTable) || self.is(Trait::kDesk) || self.is(Trait::kCounter)) return;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const Item& bar = model_.items[i];
-    const int host = static_cast<int>(i);
+  for (const ItemId host : model_.items.ids()) {
+    const Item& bar = model_.items[host];
     const bool bar_or_desk = (bar.is(Trait::kCounter) && bar.is(Trait::kOpenToRoom) && bar.has_front) || is_served_over(host);
     if (is_window_bar(host)) continue;
     if (host == item || !bar_or_desk || related(item, host)) continue;
@@ -134,19 +131,19 @@ void Habits::keep_before_counter(int item) {
   }
 }
 
-void Habits::near_light(int item) {
+void Habits::near_light(ItemId item) {
   constexpr int kAtFaced = 200;  // "facing the window": at it
   Formula f;
-  std::vector<int> windows, faced;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+  std::vector<ItemId> windows, faced;
+  for (const ItemId i : model_.items.ids()) {
     const Item& other = model_.items[i];
     if (!other.is_opening() || other.opening->type != OpeningType::kWindow) continue;
-    windows.push_back(static_cast<int>(i));
+    windows.push_back(i);
     if (related_as_target(item, windows.back(), RelationType::kFacing)) faced.push_back(windows.back());
   }
   const int weight = faced.empty() ? kLight : kAtFaced;
   if (!faced.empty()) windows = faced;
-  for (const int window : windows) {
+  for (const ItemId window : windows) {
     Case& c = f.add();
     for (int axis = 0; axis < 2; ++axis) c.wish(mid2(item, axis) - mid2(window, axis), weight, 2);
   }
@@ -154,10 +151,10 @@ void Habits::near_light(int item) {
 }
 
 // A window that nobody placed is not in the wall that something is said to hang on, nor beside the board that all look at.
-void Habits::leave_wall_free(int item) {
-  const int board = board_of_room();
+void Habits::leave_wall_free(ItemId item) {
+  const ItemId board = board_of_room();
   Formula f;
-  bool any_taken = board >= 0;
+  bool any_taken = board.exists();
   for (const RoomWall& wall : model_.walls) {
     const bool taken = std::ranges::any_of(model_.scene->relations, [&](const Relation& r) {
       return r.type == RelationType::kOnWall && std::ranges::find(r.references, wall.id) != r.references.end();
@@ -165,13 +162,13 @@ void Habits::leave_wall_free(int item) {
     any_taken |= taken;
     if (!wall.straight || taken) continue;
     Case& c = f.add().when(item, model_.items[item].states_at(wall.turn));
-    if (board >= 0) c.when(board, model_.items[board].all_states & ~states_facing(board, wall));
+    if (board.exists()) c.when(board, model_.items[board].all_states & ~states_facing(board, wall));
   }
   if (any_taken && !f.cases.empty()) habit("leaves the wall free", item, kWallFree, std::move(f));
 }
 
 // Doors near a corner, the front wall first; windows in the middle of a wall that the picture shows.
-void Habits::open_well(int item) {
+void Habits::open_well(ItemId item) {
   const Opening& opening = *model_.items[item].opening;
   if (opening.offset) return;
   if (opening.type == OpeningType::kWindow && opening.wall.empty()) leave_wall_free(item);
@@ -197,12 +194,11 @@ void Habits::open_well(int item) {
 }
 
 // No two leaves meet.
-void Habits::swing_clear_of_doors(int item) {
+void Habits::swing_clear_of_doors(ItemId item) {
   constexpr int kLeavesMeet = 300;
   constexpr Mm kWidestLeaf = 1000;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int other = static_cast<int>(i);
-    const Item& door = model_.items[i];
+  for (const ItemId other : model_.items.ids()) {
+    const Item& door = model_.items[other];
     if (other == item || !door.is_opening() || door.opening->type != OpeningType::kDoor) continue;
     const Mm leaf = std::min(std::max(door.opening->width, model_.items[item].opening->width), kWidestLeaf);
     Formula f;

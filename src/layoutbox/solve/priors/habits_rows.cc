@@ -14,32 +14,31 @@ constexpr Mm kMostUnderWindow = 300;  // off the wall, as the relation has it
 
 }  // namespace
 
-// Where guests or customers are served, which nobody placed; -1: nowhere.
-int Habits::counter_of_room() const {
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+// Where guests or customers are served, which nobody placed, if anywhere.
+ItemId Habits::counter_of_room() const {
+  for (const ItemId i : model_.items.ids()) {
     const Item& bar = model_.items[i];
     const bool served_over = bar.is(Trait::kCounter) && bar.is(Trait::kOpenToRoom) && bar.has_front && bar.mount == Mount::kFloor;
-    if (served_over && used_sides(bar).size() < 4 && !placed_besides_facing(static_cast<int>(i))) return static_cast<int>(i);
+    if (served_over && used_sides(bar).size() < 4 && !placed_besides_facing(i)) return i;
   }
-  return -1;
+  return {};
 }
 
-// The reception desk that these seats wait before, where nothing says what they look at; -1: none.
-int Habits::desk_waited_at(const Group& group) const {
-  const int first = group.members[0];
-  if (!model_.items[first].is_seat || !model_.items[first].has_front || told_where_to_look(first)) return -1;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int desk = static_cast<int>(i);
-    if (!model_.items[i].is_opening() && model_.items[i].mount == Mount::kFloor && is_served_over(desk) && waits_for(first, desk))
+// The reception desk that these seats wait before, where nothing says what they look at, if any.
+ItemId Habits::desk_waited_at(const Group& group) const {
+  const ItemId first = group.members[0];
+  if (!model_.items[first].is_seat || !model_.items[first].has_front || told_where_to_look(first)) return {};
+  for (const ItemId desk : model_.items.ids()) {
+    if (!model_.items[desk].is_opening() && model_.items[desk].mount == Mount::kFloor && is_served_over(desk) && waits_for(first, desk))
       return desk;
   }
-  return -1;
+  return {};
 }
 
 // What a teacher's desk that nobody placed takes between the class and its board.
 Mm Habits::teachers_depth() const {
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    if (faces_a_class(static_cast<int>(i))) return measures().for_teacher;
+  for (const ItemId i : model_.items.ids()) {
+    if (faces_a_class(i)) return measures().for_teacher;
   }
   return 0;
 }
@@ -47,32 +46,31 @@ Mm Habits::teachers_depth() const {
 // The floor behind each of them that its seat takes: all of that where words put it behind or before, else what is not tucked under.
 Mm Habits::depth_of_seats(const Group& group) const {
   constexpr Mm kOffDesk = 50;
-  const int first = group.members[0];
+  const ItemId first = group.members[0];
   const Item& desk = model_.items[first];
   if (!desk.has_front || desk.is_seat || !(has_knee_room(desk) || desk.is(Trait::kDeskLike))) return 0;
   Mm deepest = 0;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int seat = static_cast<int>(i);
-    const Item& chair = model_.items[i];
+  for (const ItemId seat : model_.items.ids()) {
+    const Item& chair = model_.items[seat];
     if (chair.is_opening() || chair.mount != Mount::kFloor || !chair.is(Trait::kTableSeat)) continue;
-    const bool told = std::ranges::any_of(group.members, [&](int desk_of_it) {
+    const bool told = std::ranges::any_of(group.members, [&](ItemId desk_of_it) {
       return related_as_target(seat, desk_of_it, RelationType::kBehind) || related_as_target(seat, desk_of_it, RelationType::kInFrontOf);
     });
-    const bool here = told ||
-                      (!placed_besides_facing(seat) && std::ranges::any_of(usual_hosts(seat), [&](int host) { return host == first; })) ||
-                      std::ranges::any_of(group.members, [&](int desk_of_it) { return related(seat, desk_of_it); });
+    const bool here =
+        told || (!placed_besides_facing(seat) && std::ranges::any_of(usual_hosts(seat), [&](ItemId host) { return host == first; })) ||
+        std::ranges::any_of(group.members, [&](ItemId desk_of_it) { return related(seat, desk_of_it); });
     if (here) deepest = std::max(deepest, chair.states[0].size.depth - (told ? -kOffDesk : kTucked));
   }
   return deepest;
 }
 
 // Floor left free before the first row for what all look at and who stands there.
-Mm Habits::depth_before(int first) const {
+Mm Habits::depth_before(ItemId first) const {
   Mm depth = measures().stage_depth + teachers_depth();
   for (const Relation* r : said_of(first)) {
     if (r->type != RelationType::kFacing || r->references.size() != 1) continue;
-    const int faced = model_.find_item(r->references[0]);
-    if (faced < 0 || model_.items[faced].is_opening() || model_.items[faced].mount != Mount::kFloor) continue;
+    const ItemId faced = model_.find_item(r->references[0]);
+    if (!faced.exists() || model_.items[faced].is_opening() || model_.items[faced].mount != Mount::kFloor) continue;
     const Size& size = model_.items[faced].states[0].size;
     depth = std::max(depth, std::min(size.width, size.depth) + measures().before_crowd);
   }
@@ -82,19 +80,21 @@ Mm Habits::depth_before(int first) const {
 // How wide what each of them is told to look at is; 0: one looks for all, or nobody.
 Mm Habits::view_of(const Group& group) const {
   constexpr Mm kEdge = 200;  // of it that nobody looks at
-  int lookers = 0, seen = -1;
-  for (const int member : group.members) {
+  int lookers = 0;
+  ItemId seen;
+  for (const ItemId member : group.members) {
     for (const Relation* r : said_of(member)) {
       if (r->type != RelationType::kFacing || r->references.size() != 1 || r->targets[0] != model_.items[member].id) continue;
       seen = model_.find_item(r->references[0]);
       ++lookers;
     }
   }
-  return lookers < 2 || seen < 0 || model_.items[seen].is_opening() ? 0 : std::max(0, model_.items[seen].states[0].size.width - kEdge);
+  return lookers < 2 || !seen.exists() || model_.items[seen].is_opening() ? 0
+                                                                          : std::max(0, model_.items[seen].states[0].size.width - kEdge);
 }
 
 // What is long and told to be along or under a window lies with its long side there, a bar with its back; not what people dine round.
-void Habits::lie_along_window(int item) {
+void Habits::lie_along_window(ItemId item) {
   const Item& self = model_.items[item];
   const Size& size = self.states[0].size;
   const bool is_long = 2 * std::max(size.width, size.depth) >= 3 * std::min(size.width, size.depth);
@@ -119,16 +119,15 @@ void Habits::lie_along_window(int item) {
 }
 
 // Where one pays, and what comes and goes with people (a bicycle), is by the door.
-void Habits::stand_near_door(int item) {
+void Habits::stand_near_door(ItemId item) {
   constexpr Mm kNearDoor = 1500;  // nearer it would be in the way
   constexpr int kByDoor = 80;     // points a metre
   const auto is_such = [&](const std::string& kind) { return model_.is_a(item, kind); };
   if (placed_by_relation(item) || std::ranges::none_of(Groups::builtin().by_door, is_such)) return;
   Formula f;
-  std::vector<int> doors;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int door = static_cast<int>(i);
-    if (!model_.items[i].is_opening() || model_.items[i].opening->type != OpeningType::kDoor) continue;
+  std::vector<ItemId> doors;
+  for (const ItemId door : model_.items.ids()) {
+    if (!model_.items[door].is_opening() || model_.items[door].opening->type != OpeningType::kDoor) continue;
     doors.push_back(door);
     Case& c = f.add();
     for (const int axis : {0, 1}) {
@@ -139,16 +138,15 @@ void Habits::stand_near_door(int item) {
 }
 
 // The low table of those who wait, where no sofa is there, is before the middle of its share of the seats.
-bool Habits::stand_before_waiting(int item) {
+bool Habits::stand_before_waiting(ItemId item) {
   constexpr Mm kOff = 500;
   constexpr std::size_t kFewest = 3;
   const Item& self = model_.items[item];
   if (!self.is(Trait::kCoffeeTable) || self.mount != Mount::kFloor || placed_by_relation(item)) return false;
-  std::vector<int> seats;
+  std::vector<ItemId> seats;
   int tables = 0;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int other = static_cast<int>(i);
-    const Item& ref = model_.items[i];
+  for (const ItemId other : model_.items.ids()) {
+    const Item& ref = model_.items[other];
     if (ref.is_opening() || ref.mount != Mount::kFloor) continue;
     if (ref.is(Trait::kCenterPiece)) return false;
     if (ref.entry == self.entry) ++tables;
@@ -159,9 +157,9 @@ bool Habits::stand_before_waiting(int item) {
   if (seats.size() < kFewest) return false;
   const auto rank = static_cast<std::size_t>(rank_of(item)), n = static_cast<std::size_t>(tables);
   if (n > seats.size()) return false;
-  const std::vector<int> share(seats.begin() + static_cast<std::ptrdiff_t>(rank * seats.size() / n),
-                               seats.begin() + static_cast<std::ptrdiff_t>((rank + 1) * seats.size() / n));
-  const int seat = share[share.size() / 2];
+  const std::vector<ItemId> share(seats.begin() + static_cast<std::ptrdiff_t>(rank * seats.size() / n),
+                                  seats.begin() + static_cast<std::ptrdiff_t>((rank + 1) * seats.size() / n));
+  const ItemId seat = share[share.size() / 2];
   Formula f;
   for_each_turn(model_.items[seat], [&](int turn, std::uint64_t states) {
     if (turn % 90 != 0) return;
@@ -169,7 +167,7 @@ bool Habits::stand_before_waiting(int item) {
     Case& c = f.add().when(seat, states).when(item, states_with_width_along(self, across(front)));
     c.wish(gap_towards(item, seat, front) - Linear(kOff), kGuestsTable);
     Linear off = static_cast<std::int32_t>(share.size()) * mid2(item, across(front));
-    for (const int other : share) off = off - mid2(other, across(front));
+    for (const ItemId other : share) off = off - mid2(other, across(front));
     c.wish(std::move(off), kGuestsTable, 2 * static_cast<int>(share.size()));
   });
   habit("before those who wait", item, kGuestsTable, std::move(f), share);

@@ -11,15 +11,15 @@ constexpr Mm kRugBeyondFoot = 500;
 
 // A rug lies under what stands in the middle of things, else in the middle of the room; a bed would hide it, so there it shows at
 // both sides and beyond the foot.
-void Habits::lie_under(int item) {
-  if (const std::vector<int> by = items_of_kinds(model_.items[item].entry->beside, item); !by.empty()) {
+void Habits::lie_under(ItemId item) {
+  if (const std::vector<ItemId> by = items_of_kinds(model_.items[item].entry->beside, item); !by.empty()) {
     lie_before_use(item, by[static_cast<std::size_t>(rank_of(item)) % by.size()]);
     return;
   }
-  std::vector<int> over =
+  std::vector<ItemId> over =
       items_of_kinds(Groups::usual_at(Groups::builtin().lies, *model_.catalog, *model_.items[item].entry, Mount::kFloor), item);
-  const auto beds = std::count_if(over.begin(), over.end(), [&](int i) { return model_.items[i].is(Trait::kBed); });
-  std::erase_if(over, [&](int i) {
+  const auto beds = std::count_if(over.begin(), over.end(), [&](ItemId i) { return model_.items[i].is(Trait::kBed); });
+  std::erase_if(over, [&](ItemId i) {
     if (model_.items[i].is(Trait::kBed)) return beds > 1 || !model_.items[i].is(Trait::kCenterPiece);
     return model_.items[i].is(Trait::kTable) && model_.items[i].entry->back_to_wall;
   });
@@ -33,14 +33,14 @@ void Habits::lie_under(int item) {
     return;
   }
   Case& c = f.add();
-  std::vector<int> hosts;
+  std::vector<ItemId> hosts;
   if (!over.empty()) hosts.push_back(over[rank_of(item) % static_cast<int>(over.size())]);
   for (int axis = 0; axis < 2; ++axis) c.wish(mid2(item, axis) - (hosts.empty() ? room_mid2(model_, axis) : mid2(hosts[0], axis)), kRug, 2);
   habit("rug", item, kRug, std::move(f), hosts);
 }
 
 // A runner lies along a narrow room: down the aisle of a galley, along a hall.
-void Habits::lie_lengthwise(int item) {
+void Habits::lie_lengthwise(ItemId item) {
   const Item& self = model_.items[item];
   const Size& size = self.states[0].size;
   const Mm across = model_.room.extent(0), deep = model_.room.extent(1);
@@ -55,11 +55,12 @@ void Habits::lie_lengthwise(int item) {
 }
 
 // "A rug next to the bed" shows: it lies at a side, not under it.
-void Habits::lie_beside(int item) {
+void Habits::lie_beside(ItemId item) {
   for (const Relation& r : model_.scene->relations) {
     const bool of_item = std::ranges::find(r.targets, model_.items[item].id) != r.targets.end();
-    const int host = of_item && r.type == RelationType::kNextTo && r.references.size() == 1 ? model_.find_item(r.references.front()) : -1;
-    if (host < 0 || model_.items[host].thin || model_.items[host].mount != Mount::kFloor) continue;
+    const ItemId host =
+        of_item && r.type == RelationType::kNextTo && r.references.size() == 1 ? model_.find_item(r.references.front()) : ItemId();
+    if (!host.exists() || model_.items[host].thin || model_.items[host].mount != Mount::kFloor) continue;
     Formula f;
     for (int axis = 0; axis < 2; ++axis) {
       for (const int sign : {1, -1}) {
@@ -72,7 +73,7 @@ void Habits::lie_beside(int item) {
   }
 }
 
-void Habits::lie_at_foot(int item, int bed) {
+void Habits::lie_at_foot(ItemId item, ItemId bed) {
   // Most of it shows.
   const Mm beyond = std::max(kRugBeyondFoot, model_.items[item].states[0].size.depth * 3 / 5);
   Formula f;
@@ -87,7 +88,7 @@ void Habits::lie_at_foot(int item, int bed) {
 }
 
 // Before a sofa without a table, its front legs on it.
-void Habits::lie_before(int item, int sofa) {
+void Habits::lie_before(ItemId item, ItemId sofa) {
   constexpr Mm kUnderFeet = 250;
   Formula f;
   for_each_turn(model_.items[sofa], [&](int turn, std::uint64_t states) {
@@ -101,7 +102,7 @@ void Habits::lie_before(int item, int sofa) {
 }
 
 // A mat lies where one steps out, or stands before the basin.
-void Habits::lie_before_use(int item, int host) {
+void Habits::lie_before_use(ItemId item, ItemId host) {
   constexpr Mm kOff = 80;
   const Item& ref = model_.items[host];
   const std::vector<Side> used = used_sides(ref);

@@ -6,35 +6,37 @@
 
 namespace layoutbox::placement {
 
-bool Habits::only_turned_by(int item, int host) const { return only_related_by(item, host, relations_that<&RelationTraits::turns>()); }
+bool Habits::only_turned_by(ItemId item, ItemId host) const {
+  return only_related_by(item, host, relations_that<&RelationTraits::turns>());
+}
 
-bool Habits::only_near(int item, int host) const {
+bool Habits::only_near(ItemId item, ItemId host) const {
   return only_related_by(item, host, RelationSet(RelationType::kNear) | relations_that<&RelationTraits::turns>());
 }
 
 // Does one sit there on such a seat? Not on a chair at a children's table, nor at a coffee table, where nobody says so.
-bool Habits::takes_seat(int host, int seat) const {
+bool Habits::takes_seat(ItemId host, ItemId seat) const {
   const Item &table = model_.items[host], &self = model_.items[seat];
   if (related(seat, host) || !table.is(Trait::kTable)) return true;
   return table.states[0].size.height >= measures().sat_at_from || self.states[0].size.height <= measures().low_seat_to;
 }
 
 // The greater things that it usually stands by.
-std::vector<int> Habits::usual_hosts(int item) const {
+std::vector<ItemId> Habits::usual_hosts(ItemId item) const {
   const Item& self = model_.items[item];
-  std::vector<int> hosts = items_of_kinds(self.entry->beside, item);
-  std::erase_if(hosts, [&](int h) { return model_.items[h].thin || area_of(model_.items[h]) <= area_of(self); });
+  std::vector<ItemId> hosts = items_of_kinds(self.entry->beside, item);
+  std::erase_if(hosts, [&](ItemId h) { return model_.items[h].thin || area_of(model_.items[h]) <= area_of(self); });
   if (!self.is(Trait::kTableSeat)) return hosts;
-  std::erase_if(hosts, [&](int h) { return !takes_seat(h, item) || waits_for(item, h); });
+  std::erase_if(hosts, [&](ItemId h) { return !takes_seat(h, item) || waits_for(item, h); });
   // Rather where there is room for the knees: at the desk, not at the table that one stands round.
-  const auto no_knees = [&](int h) { return model_.items[h].is(Trait::kTable) && !has_knee_room(model_.items[h]) && !related(item, h); };
+  const auto no_knees = [&](ItemId h) { return model_.items[h].is(Trait::kTable) && !has_knee_room(model_.items[h]) && !related(item, h); };
   if (!std::ranges::all_of(hosts, no_knees)) std::erase_if(hosts, no_knees);
   return hosts;
 }
 
 // Do the relations between these two only say that it is by the host, so that it may stand where its kind usually does? "Near the desk"
 // a chair stands before it; "to the left of the bed" a nightstand stands beside the pillow.
-bool Habits::leaves_usual_place(int item, int host) const {
+bool Habits::leaves_usual_place(ItemId item, ItemId host) const {
   const Item& self = model_.items[item];
   if (self.is(Trait::kEasySeat) || model_.items[host].is_opening()) return false;
   const RelationSet by_it = relations_that<&RelationTraits::close_by>() | relations_that<&RelationTraits::turns>();
@@ -43,7 +45,7 @@ bool Habits::leaves_usual_place(int item, int host) const {
 }
 
 // What a relation leaves open between things that belong together: a chair stands close to its desk, a bench along the bed's foot.
-void Habits::come_near(int item, int host) {
+void Habits::come_near(ItemId item, ItemId host) {
   const Item &self = model_.items[item], &ref = model_.items[host];
   const bool at_desk = self.is(Trait::kTableSeat) && has_knee_room(ref) && ref.has_front && used_side(ref) == Side::kFront &&
                        only_related_by(item, host, RelationSet(RelationType::kInFrontOf, RelationType::kFacing, RelationType::kCenteredOn));
@@ -70,15 +72,14 @@ void Habits::come_near(int item, int host) {
 
 // Who sits beside a bed, a bookcase or a machine does not have it before the knees: the visitor's chair looks past the bed, or stands off
 // it.
-void Habits::keep_nose_free(int item) {
+void Habits::keep_nose_free(ItemId item) {
   constexpr int kFree = 300;  // points a metre
   const Item& self = model_.items[item];
   if (!self.has_front || (!self.is(Trait::kSeat) && !self.is(Trait::kEasySeat))) return;
   const RelationSet beside_it =
       relations_that<&RelationTraits::close_by>() | relations_that<&RelationTraits::sideways>() | RelationSet(RelationType::kAtFootOf);
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int host = static_cast<int>(i);
-    const Item& ref = model_.items[i];
+  for (const ItemId host : model_.items.ids()) {
+    const Item& ref = model_.items[host];
     if (host == item || ref.is_opening() || ref.mount != Mount::kFloor || ref.thin || has_knee_room(ref)) continue;
     if (!ref.entry->back_to_wall || ref.is(Trait::kTable) || ref.is(Trait::kDeskLike) || ref.is(Trait::kCounter)) continue;
     const bool beside = related_by_any(item, host, beside_it);
@@ -99,14 +100,14 @@ void Habits::keep_nose_free(int item) {
 }
 
 // Seats with a table between them draw up to it.
-bool Habits::sit_by_between(int item) {
+bool Habits::sit_by_between(ItemId item) {
   const Item& self = model_.items[item];
   if (!self.is(Trait::kSeat) && !self.is(Trait::kEasySeat)) return false;
   for (const Relation& r : model_.scene->relations) {
     if (r.type != RelationType::kBetween || r.references.size() != 2 || std::ranges::find(r.references, self.id) == r.references.end())
       continue;
-    const int middle = r.targets.empty() ? -1 : model_.find_item(r.targets[0]);
-    if (middle < 0 || model_.items[middle].mount != Mount::kFloor || model_.items[middle].thin) continue;
+    const ItemId middle = r.targets.empty() ? ItemId() : model_.find_item(r.targets[0]);
+    if (!middle.exists() || model_.items[middle].mount != Mount::kFloor || model_.items[middle].thin) continue;
     Formula f;
     for (const int axis : {0, 1}) {
       for (const int sign : {1, -1}) {
@@ -125,7 +126,7 @@ bool Habits::sit_by_between(int item) {
 }
 
 // A seat told to stand somewhere by its desk or table looks at it, where nothing is said of that.
-void Habits::sit_facing(int item, int host) {
+void Habits::sit_facing(ItemId item, ItemId host) {
   const Item& self = model_.items[item];
   if (!self.is(Trait::kTableSeat) || !self.has_front || model_.items[host].is_opening()) return;
   const bool told = std::any_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
@@ -139,7 +140,7 @@ void Habits::sit_facing(int item, int host) {
   habit("faces", item, kFaces, std::move(f), {host});
 }
 
-bool Habits::told_short_side(int item, int host) const {
+bool Habits::told_short_side(ItemId item, ItemId host) const {
   const auto names = [](const std::vector<std::string>& ids, const std::string& id) {
     return std::find(ids.begin(), ids.end(), id) != ids.end();
   };
@@ -150,15 +151,14 @@ bool Habits::told_short_side(int item, int host) const {
 }
 
 // Several seats before a counter or a long desk share its width out. False: it is the only one.
-bool Habits::sit_in_row(int item, int host, RelationType how) {
+bool Habits::sit_in_row(ItemId item, ItemId host, RelationType how) {
   const RelationSet in_front(how, RelationType::kFacing, RelationType::kCenteredOn);
   const bool along = how == RelationType::kAlongSide;
   if (model_.items[host].is_opening()) return false;
   if (!model_.items[item].is(Trait::kTableSeat) || (!along && !model_.items[host].has_front)) return false;
-  std::vector<int> seats;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int other = static_cast<int>(i);
-    if (model_.items[i].entry == model_.items[item].entry && related_as_target(other, host, how) &&
+  std::vector<ItemId> seats;
+  for (const ItemId other : model_.items.ids()) {
+    if (model_.items[other].entry == model_.items[item].entry && related_as_target(other, host, how) &&
         only_related_by(other, host, in_front) && !(along && told_short_side(other, host)))
       seats.push_back(other);
   }
@@ -173,42 +173,41 @@ bool Habits::sit_in_row(int item, int host, RelationType how) {
 }
 
 // All of the item's kind that no relation ties to the host, nor to another such one, and that share it.
-std::vector<int> Habits::seats_at(int item, int host, int hosts) const {
-  const auto told_elsewhere = [&](int seat) {
-    const std::optional<int> told = told_host(seat, hosts_beside(seat));
+std::vector<ItemId> Habits::seats_at(ItemId item, ItemId host, int hosts) const {
+  const auto told_elsewhere = [&](ItemId seat) {
+    const std::optional<ItemId> told = told_host(seat, hosts_beside(seat));
     return told && *told != host;
   };
-  std::vector<int> seats;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int other = static_cast<int>(i);
-    if (other != item && model_.items[i].entry == model_.items[item].entry && told_elsewhere(other)) continue;
-    const bool alike = model_.items[i].entry == model_.items[item].entry && rank_of(other) % hosts == rank_of(item) % hosts;
+  std::vector<ItemId> seats;
+  for (const ItemId other : model_.items.ids()) {
+    if (other != item && model_.items[other].entry == model_.items[item].entry && told_elsewhere(other)) continue;
+    const bool alike = model_.items[other].entry == model_.items[item].entry && rank_of(other) % hosts == rank_of(item) % hosts;
     if (other == item || (alike && (!related(other, host) || leaves_usual_place(other, host)))) seats.push_back(other);
   }
   return seats;
 }
 
 // The seat that words put by it; of several each has its screen.
-int Habits::seat_told_to_be_at(int host, int rank) const {
-  std::vector<int> seats;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int other = static_cast<int>(i);
-    if (other != host && model_.items[i].is(Trait::kTableSeat) && model_.items[i].has_front && related(other, host)) seats.push_back(other);
+ItemId Habits::seat_told_to_be_at(ItemId host, int rank) const {
+  std::vector<ItemId> seats;
+  for (const ItemId other : model_.items.ids()) {
+    if (other != host && model_.items[other].is(Trait::kTableSeat) && model_.items[other].has_front && related(other, host))
+      seats.push_back(other);
   }
-  return seats.empty() ? -1 : seats[static_cast<std::size_t>(rank) % seats.size()];
+  return seats.empty() ? ItemId() : seats[static_cast<std::size_t>(rank) % seats.size()];
 }
 
 // Is a seat, be it a stool without a front, told to be behind it?
-bool Habits::is_sat_behind(int host) const {
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+bool Habits::is_sat_behind(ItemId host) const {
+  for (const ItemId i : model_.items.ids()) {
     const bool seat = model_.items[i].is(Trait::kSeat) || model_.items[i].is(Trait::kTableSeat);
-    if (seat && related_as_target(static_cast<int>(i), host, RelationType::kBehind)) return true;
+    if (seat && related_as_target(i, host, RelationType::kBehind)) return true;
   }
   return false;
 }
 
 // A screen looks at who sits before it, whichever side of the desk that is.
-void Habits::look_at_user(int item, int user) {
+void Habits::look_at_user(ItemId item, ItemId user) {
   Formula f;
   for_each_turn(model_.items[user], [&](int turn, std::uint64_t states) {
     const int square = turn / 90 * 90;

@@ -6,26 +6,25 @@ namespace layoutbox::placement {
 
 // What hangs over one thing (hooks above a bench, pictures above a sofa) hangs in a row about its middle, at one height and within its
 // width where that goes. False: it is the only one of its kind, or words put it elsewhere.
-bool Habits::hang_in_row_over(int item) {
+bool Habits::hang_in_row_over(ItemId item) {
   constexpr Mm kLeastAir = 20, kMostAir = 250, kUsualAir = 80;
   constexpr int kInRow = 400;
   const Item& self = model_.items[item];
-  const auto host_of = [&](int i) {
-    int host = -1;
+  const auto host_of = [&](ItemId i) -> ItemId {
+    ItemId host;
     for (const Relation& r : model_.scene->relations) {
       if (r.type == RelationType::kOnWall || std::ranges::find(r.targets, model_.items[i].id) == r.targets.end()) continue;
-      if (r.type != RelationType::kAbove || r.references.size() != 1 || host >= 0) return -1;
+      if (r.type != RelationType::kAbove || r.references.size() != 1 || host.exists()) return {};
       host = model_.find_item(r.references[0]);
-      if (host < 0) return -1;
+      if (!host.exists()) return {};
     }
     return host;
   };
-  const int host = host_of(item);
-  if (host < 0 || model_.items[host].is_opening()) return false;
-  std::vector<int> peers;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const Item& other = model_.items[i];
-    const int index = static_cast<int>(i);
+  const ItemId host = host_of(item);
+  if (!host.exists() || model_.items[host].is_opening()) return false;
+  std::vector<ItemId> peers;
+  for (const ItemId index : model_.items.ids()) {
+    const Item& other = model_.items[index];
     if (!other.is_opening() && other.entry == self.entry && other.mount == Mount::kWall && host_of(index) == host) peers.push_back(index);
   }
   const auto n = static_cast<int>(peers.size());
@@ -49,10 +48,10 @@ bool Habits::hang_in_row_over(int item) {
 }
 
 // Many small things that are told their wall and no more (buckets, plants) stand along all of it.
-void Habits::share_wall_out(int item) {
+void Habits::share_wall_out(ItemId item) {
   constexpr std::size_t kMany = 4;
   constexpr int kShare = 200;  // points a metre
-  const auto told_of = [&](int i) -> const std::string* {
+  const auto told_of = [&](ItemId i) -> const std::string* {
     const Item& other = model_.items[i];
     if (other.is_opening() || other.mount != Mount::kFloor || other.entry->back_to_wall || other.is(Trait::kSeat) || !only_told_its_wall(i))
       return nullptr;
@@ -64,10 +63,9 @@ void Habits::share_wall_out(int item) {
   };
   const std::string* told = told_of(item);
   if (told == nullptr) return;
-  std::vector<int> peers;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int index = static_cast<int>(i);
-    if (model_.items[i].entry != model_.items[item].entry) continue;
+  std::vector<ItemId> peers;
+  for (const ItemId index : model_.items.ids()) {
+    if (model_.items[index].entry != model_.items[item].entry) continue;
     const std::string* wall = told_of(index);
     if (wall != nullptr && *wall == *told) peers.push_back(index);
   }
@@ -80,7 +78,7 @@ void Habits::share_wall_out(int item) {
 }
 
 // What is played from behind only (a drum kit) leaves the player a seat between it and the wall.
-void Habits::leave_seat_behind(int item) {
+void Habits::leave_seat_behind(ItemId item) {
   constexpr Mm kSeat = 420;
   constexpr int kBehind = 500;  // points a metre
   const Item& self = model_.items[item];
@@ -98,11 +96,10 @@ void Habits::leave_seat_behind(int item) {
 }
 
 // Nobody plays billiards between tables: what else stands on the floor keeps off as far as the player needs.
-void Habits::keep_off_play(int item) {
+void Habits::keep_off_play(ItemId item) {
   constexpr int kOff = 500;  // points a metre
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int table = static_cast<int>(i);
-    const Item& played = model_.items[i];
+  for (const ItemId table : model_.items.ids()) {
+    const Item& played = model_.items[table];
     if (played.is_opening() || !played.is(Trait::kPlayTable) || table == item || played.mount != Mount::kFloor || related(item, table))
       continue;
     Formula f;

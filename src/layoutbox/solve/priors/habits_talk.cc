@@ -10,11 +10,10 @@ constexpr Mm kAbreast = 250;  // between easy chairs side by side
 }  // namespace
 
 // Easy chairs that nobody placed, of the same kind.
-std::vector<int> Habits::loose_easy_chairs(int item) const {
-  std::vector<int> seats;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int other = static_cast<int>(i);
-    const Item& seat = model_.items[i];
+std::vector<ItemId> Habits::loose_easy_chairs(ItemId item) const {
+  std::vector<ItemId> seats;
+  for (const ItemId other : model_.items.ids()) {
+    const Item& seat = model_.items[other];
     if (seat.is_opening() || seat.entry != model_.items[item].entry || seat.mount != Mount::kFloor || seat.fixed) continue;
     if (seat.is(Trait::kEasySeat) && seat.has_front && !placed_besides_facing(other)) seats.push_back(other);
   }
@@ -23,18 +22,18 @@ std::vector<int> Habits::loose_easy_chairs(int item) const {
 
 // Easy chairs by a sofa that looks at nothing else sit before it: across from it side by side, or at its ends, looking along it.
 // False: there is a table to sit round, or a screen to look at.
-bool Habits::sit_round_sofa(int item, int sofa) {
+bool Habits::sit_round_sofa(ItemId item, ItemId sofa) {
   constexpr Mm kBeforeEnd = 150;
   constexpr int kAtEnd = 40;  // points
   const Item &self = model_.items[item], &ref = model_.items[sofa];
   if (!self.is(Trait::kEasySeat) || !self.has_front || !ref.has_front || !ref.is(Trait::kCenterPiece) || ref.is(Trait::kBed)) return false;
-  const auto else_seen = [&](int other) {
+  const auto else_seen = [&](ItemId other) {
     const Item& seen = model_.items[other];
     return seen.is(Trait::kScreen) || seen.is(Trait::kCoffeeTable) || is_looked_at(other);
   };
-  if (std::ranges::any_of(items_of_kinds(self.entry->faces, item), [&](int other) { return other != sofa && else_seen(other); }))
+  if (std::ranges::any_of(items_of_kinds(self.entry->faces, item), [&](ItemId other) { return other != sofa && else_seen(other); }))
     return false;
-  const std::vector<int> seats = loose_easy_chairs(item);
+  const std::vector<ItemId> seats = loose_easy_chairs(item);
   const auto n = std::ssize(seats), k = std::ranges::find(seats, item) - seats.begin();
   if (k == n) return false;
   const Mm pitch = self.states[0].size.width + kAbreast;
@@ -58,18 +57,18 @@ bool Habits::sit_round_sofa(int item, int sofa) {
 
 // Easy chairs that have nothing but the fire to look at sit before it: up to three side by side and close enough to feel it, more face
 // to face at both sides of the way to it.
-bool Habits::sit_by_fire(int item) {
+bool Habits::sit_by_fire(ItemId item) {
   constexpr Mm kOff = 1100, kBetween = 450, kMostAbreast = 3, kOffInPairs = 500;
-  const std::vector<int> seats = loose_easy_chairs(item);
+  const std::vector<ItemId> seats = loose_easy_chairs(item);
   const auto k = std::ranges::find(seats, item) - seats.begin(), n = std::ssize(seats);
   if (k == n) return false;
   const Item& self = model_.items[item];
-  const std::vector<int> seen = items_of_kinds(self.entry->faces, item);
-  const auto else_seen = [&](int i) {
+  const std::vector<ItemId> seen = items_of_kinds(self.entry->faces, item);
+  const auto else_seen = [&](ItemId i) {
     const Item& ref = model_.items[i];
     return ref.is(Trait::kScreen) || ref.is(Trait::kCoffeeTable) || ref.is(Trait::kCenterPiece);
   };
-  const auto is_fire = [&](int i) { return !model_.items[i].is(Trait::kTable) && model_.items[i].has_front; };
+  const auto is_fire = [&](ItemId i) { return !model_.items[i].is(Trait::kTable) && model_.items[i].has_front; };
   const auto fire = std::ranges::find_if(seen, is_fire);
   if (fire == seen.end() || std::ranges::any_of(seen, else_seen)) return false;
   const Size& size = self.states[0].size;
@@ -91,12 +90,12 @@ bool Habits::sit_by_fire(int item) {
 
 // Easy chairs that nothing is there for to look at stand face to face: every second across from the one before, further pairs beside
 // the first.
-bool Habits::sit_to_talk(int item) {
+bool Habits::sit_to_talk(ItemId item) {
   const Item& self = model_.items[item];
   if (!self.is(Trait::kEasySeat) || !self.has_front || placed_by_relation(item) || !items_of_kinds(self.entry->faces, item).empty())
     return false;
-  std::vector<int> seats = loose_easy_chairs(item);
-  std::erase_if(seats, [&](int other) { return placed_by_relation(other); });
+  std::vector<ItemId> seats = loose_easy_chairs(item);
+  std::erase_if(seats, [&](ItemId other) { return placed_by_relation(other); });
   const auto k = std::ranges::find(seats, item) - seats.begin();
   if (seats.size() < 2 || k == 0) return false;
   const std::int64_t beside = 2 * (k / 2) * (self.states[0].size.width + kAbreast);

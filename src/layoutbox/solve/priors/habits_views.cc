@@ -13,56 +13,56 @@ std::uint64_t states_looking(const Item& item, Direction direction) {
 }
 
 // The mirror on the wall that a seat is told to look into, or that is its own by what kind of seat it is, where nothing else says where
-// it stands; -1: none.
-int Habits::mirror_of(int item) const {
+// it stands, if any.
+ItemId Habits::mirror_of(ItemId item) const {
   const Item& self = model_.items[item];
-  if ((!self.is(Trait::kSeat) && !self.is(Trait::kEasySeat)) || !self.has_front) return -1;
-  int told = -1;
-  for (std::size_t i = 0; i < model_.items.size() && told < 0; ++i) {
-    if (is_told_before_mirror(item, static_cast<int>(i))) told = static_cast<int>(i);
+  if ((!self.is(Trait::kSeat) && !self.is(Trait::kEasySeat)) || !self.has_front) return {};
+  ItemId told;
+  for (const ItemId i : model_.items.ids()) {
+    if (!told.exists() && is_told_before_mirror(item, i)) told = i;
   }
   const auto elsewhere = [&](const Relation* r) {
     const bool target = std::ranges::find(r->targets, self.id) != r->targets.end();
-    return target && !traits_of(r->type).turns && (told < 0 || r->references != std::vector<std::string>{model_.items[told].id});
+    return target && !traits_of(r->type).turns && (!told.exists() || r->references != std::vector<std::string>{model_.items[told].id});
   };
-  if (std::ranges::any_of(said_of(item), elsewhere)) return -1;
-  return told >= 0 ? told : usual_mirror_of(item);
+  if (std::ranges::any_of(said_of(item), elsewhere)) return {};
+  return told.exists() ? told : usual_mirror_of(item);
 }
 
 // "Facing the mirror", or in front of it, which says the same of a seat.
-bool Habits::is_told_before_mirror(int seat, int mirror) const {
+bool Habits::is_told_before_mirror(ItemId seat, ItemId mirror) const {
   return is_wall_mirror(mirror) && (related_as_target(seat, mirror, RelationType::kFacing) ||
                                     (model_.items[seat].is(Trait::kSeat) && related_as_target(seat, mirror, RelationType::kInFrontOf)));
 }
 
-bool Habits::is_wall_mirror(int item) const { return model_.items[item].is(Trait::kMirror) && model_.items[item].mount == Mount::kWall; }
+bool Habits::is_wall_mirror(ItemId item) const { return model_.items[item].is(Trait::kMirror) && model_.items[item].mount == Mount::kWall; }
 
 // Seats that look into mirrors by what they are (a barber's chair) have one each, of those that nobody is told to look into and that are
-// not told to hang by something; where these are fewer, they share them. -1: it looks at something else, or there is none.
-int Habits::usual_mirror_of(int item) const {
+// not told to hang by something; where these are fewer, they share them. None: it looks at something else, or there is none.
+ItemId Habits::usual_mirror_of(ItemId item) const {
   const Item& self = model_.items[item];
-  if (self.entry->faces.empty() || placed_by_relation(item)) return -1;
-  const std::vector<int> seen = items_of_kinds(self.entry->faces, item);
-  if (seen.empty() || !is_wall_mirror(seen[0])) return -1;
-  std::vector<int> mirrors;
-  for (const int mirror : seen) {
+  if (self.entry->faces.empty() || placed_by_relation(item)) return {};
+  const std::vector<ItemId> seen = items_of_kinds(self.entry->faces, item);
+  if (seen.empty() || !is_wall_mirror(seen[0])) return {};
+  std::vector<ItemId> mirrors;
+  for (const ItemId mirror : seen) {
     const bool told = std::ranges::any_of(model_.scene->relations, [&](const Relation& r) {
       return r.type == RelationType::kFacing && std::ranges::find(r.references, model_.items[mirror].id) != r.references.end();
     });
     if (is_wall_mirror(mirror) && !told && !placed_by_relation_besides_walls(mirror)) mirrors.push_back(mirror);
   }
   int rank = 0;
-  for (int i = 0; i < item; ++i) rank += model_.items[i].entry == self.entry && !placed_by_relation(i);
-  return mirrors.empty() ? -1 : mirrors[static_cast<std::size_t>(rank) % mirrors.size()];
+  for (const ItemId i : ids_before(item)) rank += model_.items[i].entry == self.entry && !placed_by_relation(i);
+  return mirrors.empty() ? ItemId() : mirrors[static_cast<std::size_t>(rank) % mirrors.size()];
 }
 
 // Who is to look into a mirror sits before it, close enough to see. False: there is no such mirror.
-bool Habits::sit_before_mirror(int item) {
-  const int mirror = mirror_of(item);
-  if (mirror < 0) return false;
-  std::vector<int> seats;  // who look into the same one sit side by side
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    if (!model_.items[i].is_opening() && mirror_of(static_cast<int>(i)) == mirror) seats.push_back(static_cast<int>(i));
+bool Habits::sit_before_mirror(ItemId item) {
+  const ItemId mirror = mirror_of(item);
+  if (!mirror.exists()) return false;
+  std::vector<ItemId> seats;  // who look into the same one sit side by side
+  for (const ItemId i : model_.items.ids()) {
+    if (!model_.items[i].is_opening() && mirror_of(i) == mirror) seats.push_back(i);
   }
   sit_in_row(item, mirror,
              {.name = "before its mirror", .side = Side::kFront, .seats = std::move(seats), .between = kBetweenMirrored, .off = 650});
@@ -70,41 +70,41 @@ bool Habits::sit_before_mirror(int item) {
 }
 
 // What stands on a cupboard or a stand is looked at where that stands, which finds its place first; else the thing itself.
-int Habits::stand_of_screen(int screen) const {
+ItemId Habits::stand_of_screen(ItemId screen) const {
   const Item& self = model_.items[screen];
   if (!self.is(Trait::kScreen) || self.mount != Mount::kSurface) return screen;
-  int stand = -1;
+  ItemId stand;
   for (const SupportOption& support : self.supports) {
     if (support.kind != SupportOption::Kind::kItem || support.item == stand) continue;
-    if (stand >= 0) return screen;
+    if (stand.exists()) return screen;
     stand = support.item;
   }
-  const bool stands = stand >= 0 && model_.items[stand].mount == Mount::kFloor && model_.items[stand].entry->back_to_wall;
+  const bool stands = stand.exists() && model_.items[stand].mount == Mount::kFloor && model_.items[stand].entry->back_to_wall;
   // A TV stand looks for its sofa itself.
   return stands && model_.items[stand].has_front && model_.items[stand].entry->faces.empty() ? stand : screen;
 }
 
 // Where a sofa and a bed share a room, the television is the sofa's.
-bool Habits::leaves_screen_to_others(int item, int screen) const {
+bool Habits::leaves_screen_to_others(ItemId item, ItemId screen) const {
   if (!model_.items[item].is(Trait::kBed) || !model_.items[screen].is(Trait::kScreen)) return false;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+  for (const ItemId i : model_.items.ids()) {
     const Item& sofa = model_.items[i];
     if (sofa.is_opening() || !sofa.is(Trait::kCenterPiece) || sofa.is(Trait::kBed) || sofa.mount != Mount::kFloor) continue;
-    const std::vector<int> seen = items_of_kinds(sofa.entry->faces, static_cast<int>(i));
+    const std::vector<ItemId> seen = items_of_kinds(sofa.entry->faces, i);
     if (std::ranges::find(seen, screen) != seen.end()) return true;
   }
   return false;
 }
 
 // Is a screen all that there is for it to look at? Then it is watched from the wall, not drawn up to like a table.
-bool Habits::only_sees_screen(int item) const {
-  const std::vector<int> seen = items_of_kinds(model_.items[item].entry->faces, item);
-  return !seen.empty() && std::ranges::all_of(seen, [&](int other) { return model_.items[other].is(Trait::kScreen); });
+bool Habits::only_sees_screen(ItemId item) const {
+  const std::vector<ItemId> seen = items_of_kinds(model_.items[item].entry->faces, item);
+  return !seen.empty() && std::ranges::all_of(seen, [&](ItemId other) { return model_.items[other].is(Trait::kScreen); });
 }
 
 // A sofa that shares its room with a bed finds its place after the television on the wall: with both at their walls none would be left
 // for that.
-bool Habits::comes_after_screen(int item, int screen) const {
+bool Habits::comes_after_screen(ItemId item, ItemId screen) const {
   const Item &self = model_.items[item], &ref = model_.items[screen];
   if (!self.is(Trait::kCenterPiece) || self.is(Trait::kBed) || !ref.is(Trait::kScreen) || ref.mount != Mount::kWall) return false;
   return !placed_besides_facing(item) &&
@@ -112,7 +112,7 @@ bool Habits::comes_after_screen(int item, int screen) const {
 }
 
 // Who looks along the wall that a screen hangs on sees its edge: machines and chairs; to sofas and beds the screen turns itself.
-void Habits::stay_before_screen(int item, int screen) {
+void Habits::stay_before_screen(ItemId item, ItemId screen) {
   constexpr Mm kOff = 300;
   constexpr int kSeesEdge = 300;  // points a metre
   if (!model_.items[screen].has_front || model_.items[item].is(Trait::kCenterPiece)) return;
@@ -126,7 +126,7 @@ void Habits::stay_before_screen(int item, int screen) {
 }
 
 // A sofa has its screen before it, not behind its back, whatever a bed sees of that.
-void Habits::have_screen_before(int item, int screen) {
+void Habits::have_screen_before(ItemId item, ItemId screen) {
   constexpr Mm kLeast = 800;
   Formula f;
   for_each_turn(model_.items[item], [&](int turn, std::uint64_t states) {
@@ -139,7 +139,7 @@ void Habits::have_screen_before(int item, int screen) {
 }
 
 // A screen is watched from no farther than one sees it well.
-void Habits::watch_from_near(int item, int screen) {
+void Habits::watch_from_near(ItemId item, ItemId screen) {
   constexpr int kTooFar = 150;  // points a metre
   Formula f;
   for_each_turn(model_.items[item], [&](int turn, std::uint64_t states) {
@@ -151,12 +151,11 @@ void Habits::watch_from_near(int item, int screen) {
 }
 
 // Nobody watches over those who sit at table: high tables, bars, chairs, beds and dividers are not between a sofa and its screen or fire.
-void Habits::watch_past_tables(int item, int screen) {
+void Habits::watch_past_tables(ItemId item, ItemId screen) {
   constexpr int kBetween = 250;  // points a metre
   constexpr Mm kHigh = 600;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int other = static_cast<int>(i);
-    const Item& table = model_.items[i];
+  for (const ItemId other : model_.items.ids()) {
+    const Item& table = model_.items[other];
     if (table.is_opening() || table.mount != Mount::kFloor || other == item || other == screen || rests_on(screen, other) ||
         related(item, other))
       continue;

@@ -19,11 +19,11 @@ bool is_platform(const Item& item) {
 
 }  // namespace
 
-void Habits::back_to_wall(int item, int weight) {
+void Habits::back_to_wall(ItemId item, int weight) {
   Formula f;
   int alike = 0;  // that nobody placed
-  for (std::size_t i = 0; i < model_.items.size(); ++i)
-    alike += model_.items[i].entry == model_.items[item].entry && !placed_by_relation_besides_walls(static_cast<int>(i));
+  for (const ItemId i : model_.items.ids())
+    alike += model_.items[i].entry == model_.items[item].entry && !placed_by_relation_besides_walls(i);
   const bool narrow_bed = is_narrow_bed(item);
   const bool heart =
       (model_.items[item].is(Trait::kCenterPiece) || is_looked_at(item) || is_platform(model_.items[item])) && alike <= 1 && !narrow_bed;
@@ -53,11 +53,10 @@ void Habits::back_to_wall(int item, int weight) {
 }
 
 // … or to what parts its group from another.
-void Habits::back_to_divider(Formula& f, int item) {
+void Habits::back_to_divider(Formula& f, ItemId item) {
   constexpr Mm kOff = 50;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int divider = static_cast<int>(i);
-    if (model_.items[i].is_opening() || divided_by(divider) == nullptr) continue;
+  for (const ItemId divider : model_.items.ids()) {
+    if (model_.items[divider].is_opening() || divided_by(divider) == nullptr) continue;
     for_each_turn(model_.items[item], [&](int turn, std::uint64_t states) {
       if (turn % 90 != 0) return;
       const Direction front = side_direction(model_.items[item], Side::kFront, turn);
@@ -69,7 +68,7 @@ void Habits::back_to_divider(Formula& f, int item) {
 }
 
 // In a large room a sofa comes off its wall rather than look at a screen from afar.
-bool Habits::may_float(int item) const {
+bool Habits::may_float(ItemId item) const {
   constexpr Mm kLarge = 5600;
   const Item& self = model_.items[item];
   return self.is(Trait::kCenterPiece) && !self.is(Trait::kBed) && std::min(model_.room.extent(0), model_.room.extent(1)) >= kLarge &&
@@ -81,7 +80,7 @@ bool Habits::may_float(int item) const {
 }
 
 // A bed for one has a long side at the second wall too, but where one is cared for from both sides or more than two stand there.
-bool Habits::is_narrow_bed(int item) const {
+bool Habits::is_narrow_bed(ItemId item) const {
   constexpr Mm kForOne = 1200, kForCare = 700;
   const Item& self = model_.items[item];
   const auto is_wide = [&](Side side) {
@@ -94,7 +93,7 @@ bool Habits::is_narrow_bed(int item) const {
 }
 
 // Twin beds with nightstands stand beside each other as a wide one would, those of children in a corner each.
-bool Habits::has_bedside(int bed) const {
+bool Habits::has_bedside(ItemId bed) const {
   return std::ranges::any_of(model_.items, [&](const Item& other) {
     return !other.is_opening() && other.mount == Mount::kFloor && other.entry->back_to_wall &&
            area_of(other) < area_of(model_.items[bed]) / 4 &&
@@ -103,7 +102,7 @@ bool Habits::has_bedside(int bed) const {
 }
 
 // A fridge in the middle of a kitchen's run would part the worktop.
-bool Habits::ends_run(int item) const {
+bool Habits::ends_run(ItemId item) const {
   const Item& self = model_.items[item];
   if (!self.is(Trait::kKitchenRun) || self.states.empty() || self.states[0].size.height < measures().tall_from) return false;
   const bool placed = std::ranges::any_of(model_.scene->relations, [&](const Relation& r) {
@@ -118,17 +117,17 @@ bool Habits::ends_run(int item) const {
 }
 
 // Cupboards, tubs and machines that nothing looks at and that stand by nothing leave the middle of the wall free.
-bool Habits::keeps_to_corner(int item) const {
+bool Habits::keeps_to_corner(ItemId item) const {
   const Item& self = model_.items[item];
   if (self.is(Trait::kCenterPiece) || self.is(Trait::kTable) || self.is(Trait::kDeskLike) || self.is(Trait::kSeat)) return false;
-  if (is_platform(self) || table_served_by(item) >= 0) return false;
+  if (is_platform(self) || table_served_by(item).exists()) return false;
   if (self.is(Trait::kOpenToRoom) || placed_by_relation_besides_walls(item) || !items_of_kinds(self.entry->beside, item).empty())
     return false;
   return !is_faced_by_kind(item);
 }
 
 // What is built in an L stands in a corner with both its backs to walls: the open part is at the front and the other side.
-void Habits::stand_in_its_corner(int item) {
+void Habits::stand_in_its_corner(ItemId item) {
   const Item& self = model_.items[item];
   const Size& size = self.states[0].size;
   const auto is_open = [&](const Space& s) {
@@ -150,13 +149,13 @@ void Habits::stand_in_its_corner(int item) {
 }
 
 // A fireplace, a piano; no desk, at which one sits.
-bool Habits::is_looked_at(int item) const {
+bool Habits::is_looked_at(ItemId item) const {
   const Item& self = model_.items[item];
   return is_faced_by_kind(item) && !self.is(Trait::kTable) && !self.is(Trait::kDeskLike) && !self.is(Trait::kCounter);
 }
 
 // Is it what something there usually faces?
-bool Habits::is_faced_by_kind(int item) const {
+bool Habits::is_faced_by_kind(ItemId item) const {
   const Item& self = model_.items[item];
   return std::ranges::any_of(model_.items, [&](const Item& other) {
     return other.entry != nullptr && other.entry != self.entry &&
@@ -165,7 +164,7 @@ bool Habits::is_faced_by_kind(int item) const {
 }
 
 // Small things at walls, best in corners; a plant in the middle of a room is in the way. What is long stands along the wall.
-void Habits::stand_at_wall(int item) {
+void Habits::stand_at_wall(ItemId item) {
   const Size& size = model_.items[item].states[0].size;
   const bool is_long = 2 * std::max(size.width, size.depth) >= 3 * std::min(size.width, size.depth);
   const auto near_wall = [&](Case& c, const RoomWall& wall, Mm most) {

@@ -12,12 +12,11 @@ void Habits::spread() {
   Linear off[2];
   std::int64_t all = 0;
   int things = 0;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+  for (const ItemId i : model_.items.ids()) {
     const Item& item = model_.items[i];
     if (item.is_opening() || item.thin || item.mount != Mount::kFloor) continue;
     const std::int64_t area = std::max<std::int64_t>(1, area_of(item) / kUnit);
-    for (const int axis : {0, 1})
-      off[axis] = off[axis] + static_cast<std::int32_t>(area) * (mid2(static_cast<int>(i), axis) - room_mid2(model_, axis));
+    for (const int axis : {0, 1}) off[axis] = off[axis] + static_cast<std::int32_t>(area) * (mid2(i, axis) - room_mid2(model_, axis));
     all += area, ++things;
   }
   if (things < kFewest) return;
@@ -32,7 +31,7 @@ void Habits::spread() {
 }
 
 // What is said of a thing, whatever else of a kind it is said of.
-std::vector<std::pair<RelationType, std::vector<std::string>>> Habits::words_of(int item) const {
+std::vector<std::pair<RelationType, std::vector<std::string>>> Habits::words_of(ItemId item) const {
   std::vector<std::pair<RelationType, std::vector<std::string>>> words;
   for (const Relation* r : said_of(item)) {
     if (std::ranges::find(r->targets, model_.items[item].id) != r->targets.end()) words.emplace_back(r->type, r->references);
@@ -42,7 +41,7 @@ std::vector<std::pair<RelationType, std::vector<std::string>>> Habits::words_of(
 
 // Things of a kind of which the same is said and that have no front lie parallel where they are long (two benches on a rug), and in line
 // where they stand along a wall or a window (tables for two).
-void Habits::lie_alike(int item) {
+void Habits::lie_alike(ItemId item) {
   constexpr int kAlike = 150;  // points a metre
   const Item& self = model_.items[item];
   const Size& size = self.states[0].size;
@@ -50,7 +49,7 @@ void Habits::lie_alike(int item) {
   const auto words = words_of(item);
   const bool in_line = std::ranges::any_of(words, [](const auto& said) { return traits_of(said.first).back_to_wall; });
   if (!in_line && 2 * std::max(size.width, size.depth) < 3 * std::min(size.width, size.depth)) return;
-  for (int other = 0; other < item; ++other) {
+  for (const ItemId other : ids_before(item)) {
     if (model_.items[other].entry != self.entry || model_.items[other].fixed || words_of(other) != words) continue;
     Formula f;
     for (const int axis : {0, 1}) {
@@ -65,15 +64,15 @@ void Habits::lie_alike(int item) {
 }
 
 // A teacher's desk in a room whose seats or desks look at a board; words say at most that it is by that.
-bool Habits::faces_a_class(int item) const {
+bool Habits::faces_a_class(ItemId item) const {
   const Item& self = model_.items[item];
-  const int board = board_of_room();
+  const ItemId board = board_of_room();
   return self.mount == Mount::kFloor && self.is(Trait::kDeskLike) && self.is(Trait::kOpenToRoom) &&
-         used_sides(self) == std::vector<Side>{Side::kBack} && board >= 0 && only_placed_before(item, board);
+         used_sides(self) == std::vector<Side>{Side::kBack} && board.exists() && only_placed_before(item, board);
 }
 
 // Do words place it nowhere, in a part of the room, or before or by that other alone?
-bool Habits::only_placed_before(int item, int other) const {
+bool Habits::only_placed_before(ItemId item, ItemId other) const {
   using R = RelationType;
   return std::ranges::none_of(said_of(item), [&](const Relation* r) {
     if (std::ranges::find(r->targets, model_.items[item].id) == r->targets.end()) return false;
@@ -83,20 +82,20 @@ bool Habits::only_placed_before(int item, int other) const {
   });
 }
 
-// What hangs there for all to look at and is no television; -1: nothing.
-int Habits::board_of_room() const {
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+// What hangs there for all to look at and is no television, if anything.
+ItemId Habits::board_of_room() const {
+  for (const ItemId i : model_.items.ids()) {
     const Item& board = model_.items[i];
-    if (board.mount == Mount::kWall && board.is(Trait::kScreen) && !board.is(Trait::kElseOnWall)) return static_cast<int>(i);
+    if (board.mount == Mount::kWall && board.is(Trait::kScreen) && !board.is(Trait::kElseOnWall)) return i;
   }
-  return -1;
+  return {};
 }
 
 // One comes in behind or beside a class, not between it and its board.
-void Habits::enter_behind_class(int door) {
+void Habits::enter_behind_class(ItemId door) {
   constexpr int kComesInBefore = 60;  // points a metre
-  const int board = board_of_room();
-  if (board < 0 || teachers_depth() == 0) return;
+  const ItemId board = board_of_room();
+  if (!board.exists() || teachers_depth() == 0) return;
   Formula f;
   for_each_turn(model_.items[board], [&](int turn, std::uint64_t states) {
     if (turn % 90 != 0) return;
@@ -107,7 +106,7 @@ void Habits::enter_behind_class(int door) {
 }
 
 // A class looks at a wall without windows, the windows at its side.
-void Habits::hang_on_blank_wall(int board) {
+void Habits::hang_on_blank_wall(ItemId board) {
   constexpr int kByWindow = 150;  // points a window
   Formula f;
   bool any = false;
@@ -123,9 +122,9 @@ void Habits::hang_on_blank_wall(int board) {
 }
 
 // The teacher looks the way the board does, and stands on its side of the room.
-void Habits::face_the_class(int item) {
+void Habits::face_the_class(ItemId item) {
   if (!faces_a_class(item)) return;
-  const int board = board_of_room();
+  const ItemId board = board_of_room();
   Formula f;
   for_each_turn(model_.items[board], [&](int turn, std::uint64_t states) {
     if (turn % 90 != 0) return;

@@ -71,7 +71,7 @@ Mm wished_reach_under(const Item& seat, const Item& table) {
 }
 
 // At the same height somewhere, so that the distance is that in plan.
-void require_level(Case& in, const PlacementModel& model, int t, int r) {
+void require_level(Case& in, const PlacementModel& model, ItemId t, ItemId r) {
   if (floor_only(model.items[t]) && floor_only(model.items[r])) return;
   in.require(hi(r, 2) - lo(t, 2)).require(hi(t, 2) - lo(r, 2));
 }
@@ -107,7 +107,7 @@ double widest_angle(const Seats& seats, Mm width, Mm depth, const std::vector<Si
   return widest;
 }
 
-void add_case(Formula& f, Compilation& c, int r, int table_turn, std::uint64_t table_states, const Seats& seats, int price, Mm most,
+void add_case(Formula& f, Compilation& c, ItemId r, int table_turn, std::uint64_t table_states, const Seats& seats, int price, Mm most,
               std::optional<Mm> least_gap = std::nullopt) {
   const Item& table = c.item(r);
   Case in;
@@ -118,7 +118,7 @@ void add_case(Formula& f, Compilation& c, int r, int table_turn, std::uint64_t t
     const Direction d = side_direction(table, kSides[s], table_turn);
     const int a = across(d), n = seats[s];
     for (int k = 0; k < n; ++k, ++next) {
-      const int t = c.targets[next];
+      const ItemId t = c.targets[next];
       const Item& seat = c.item(t);
       std::uint64_t facing = 0;
       for_each_turn(seat, [&](int turn, std::uint64_t states) {
@@ -148,7 +148,7 @@ void add_case(Formula& f, Compilation& c, int r, int table_turn, std::uint64_t t
 }
 
 // With both at their usual sizes: does a seat whose middle is so far off the table's stand in it?
-bool stands_in(const Compilation& c, int seat, std::uint64_t facing, int table, const Mm (&off)[2]) {
+bool stands_in(const Compilation& c, ItemId seat, std::uint64_t facing, ItemId table, const Mm (&off)[2]) {
   const State &s = c.item(seat).states[static_cast<std::size_t>(std::countr_zero(facing))], &t = c.item(table).states[0];
   Placement of_seat{std::countr_zero(facing), {}}, of_table{0, {}};
   for (int axis = 0; axis < 2; ++axis) of_seat.at[axis] = off[axis] + (t.extent[axis] - s.extent[axis]) / 2;
@@ -166,7 +166,7 @@ std::uint64_t looks_inwards(const Item& seat, int angle) {
 }
 
 // One seat at that angle of the circle, so far from the middle. Does it stand clear of the table?
-bool add_to_circle(Case& in, const Compilation& c, int t, int r, int angle, std::uint64_t facing, double away, Mm most) {
+bool add_to_circle(Case& in, const Compilation& c, ItemId t, ItemId r, int angle, std::uint64_t facing, double away, Mm most) {
   const double x = std::sin(radians_from_degrees(angle)) * away, y = -std::cos(radians_from_degrees(angle)) * away;
   const Mm place[2] = {static_cast<Mm>(std::lround(x)), static_cast<Mm>(std::lround(y))};
   const Mm play2 = std::min<Mm>(60, static_cast<Mm>(away) / 5);  // so little that it still looks at the middle
@@ -183,7 +183,7 @@ bool add_to_circle(Case& in, const Compilation& c, int t, int r, int angle, std:
 
 // Seats on a circle at multiples of 15°, turned to the middle; the circle as small as the seats' boxes allow. Who comes first takes the
 // smallest: one on which another would stand in the table is offered only where all are so.
-void add_circle(Formula& f, Compilation& c, int r, Mm most) {
+void add_circle(Formula& f, Compilation& c, ItemId r, Mm most) {
   const Item& table = c.item(r);
   const int n = static_cast<int>(c.targets.size());
   const Size& size = table.states[0].size;
@@ -196,7 +196,7 @@ void add_circle(Formula& f, Compilation& c, int r, Mm most) {
       bool possible = true, free = true;
       for (int k = 0; k < n && possible; ++k) {
         const int angle = (static_cast<int>(std::lround(360.0 * k / n / 15)) * 15 + shift) % 360;  // where it stands: 0 = front
-        const int t = c.targets[k];
+        const ItemId t = c.targets[k];
         const Item& seat = c.item(t);
         const std::uint64_t facing = looks_inwards(seat, angle);
         possible = facing != 0;
@@ -267,12 +267,12 @@ namespace {
 
 // Seats at the sides of one state of the table such that no two neighbours are too far apart, seen from its middle. How far out they may
 // be is narrowed until that is sure.
-void add_even_seats(Formula& f, Compilation& c, int r, std::size_t state, const Seats& seats, int price, Mm most) {
+void add_even_seats(Formula& f, Compilation& c, ItemId r, std::size_t state, const Seats& seats, int price, Mm most) {
   const Item& table = c.item(r);
   const State& s = table.states[state];
   const auto n = static_cast<int>(c.targets.size());
   std::vector<Size> sizes;
-  for (const int t : c.targets) sizes.push_back(c.item(t).states[0].size);
+  for (const ItemId t : c.targets) sizes.push_back(c.item(t).states[0].size);
   Size size = s.size;
   if (!table.has_front && s.turn % 180 == 90) std::swap(size.width, size.depth);
   const double limit = 1.5 * 360 / n;
@@ -288,8 +288,8 @@ void add_even_seats(Formula& f, Compilation& c, int r, std::size_t state, const 
 }
 
 // What is surely needed for "around" and "in a circle around".
-void add_needed(Compilation& c, int r, Mm most) {
-  for (const int t : c.targets) {
+void add_needed(Compilation& c, ItemId r, Mm most) {
+  for (const ItemId t : c.targets) {
     Formula& near = c.formula();
     near.add();
     near.exact = false;
@@ -309,7 +309,7 @@ void add_needed(Compilation& c, int r, Mm most) {
 
 }  // namespace
 
-void add_seating(Compilation& c, int r, Mm most, bool circle) {
+void add_seating(Compilation& c, ItemId r, Mm most, bool circle) {
   const Item& table = c.item(r);
   const int n = static_cast<int>(c.targets.size());
   if (n == 0) return;
@@ -317,7 +317,7 @@ void add_seating(Compilation& c, int r, Mm most, bool circle) {
   Formula& f = c.formula();
   f.exact = false;
   Mm seat_width = 0;
-  for (const int t : c.targets) seat_width = std::max(seat_width, c.item(t).states[0].size.width);
+  for (const ItemId t : c.targets) seat_width = std::max(seat_width, c.item(t).states[0].size.width);
   const bool round = (n >= 5 || n == 3) && (is_circle(table) || (circle && is_compact(table)));
   if (round) add_circle(f, c, r, most);
   const int base = round && !f.cases.empty() ? 200 : 0;
@@ -335,7 +335,7 @@ void add_seating(Compilation& c, int r, Mm most, bool circle) {
   // More than the sides hold: one side after the other, as near as it gets, looking at it.
   c.out.formulas.pop_back();
   for (int i = 0; i < n; ++i) {
-    const int t = c.targets[i];
+    const ItemId t = c.targets[i];
     Formula& at = c.formula();
     at.exact = false;
     add_beside(at, c.model, t, r, kSides[i % 4], {.most = most, .wished_gap = 50, .may_reach_under = true});

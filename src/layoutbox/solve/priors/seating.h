@@ -17,6 +17,6 @@ using Seats = std::array<int, 4>;
 std::vector<std::pair<Seats, int>> seatings(int n, Mm width, Mm depth, Mm seat_width, bool circle, std::size_t limit = 10);
 
 // Adds "the targets stand around r": one case per seating and turn of r.
-void add_seating(Compilation& c, int r, Mm most, bool circle);
+void add_seating(Compilation& c, ItemId r, Mm most, bool circle);
 
 }  // namespace layoutbox::placement

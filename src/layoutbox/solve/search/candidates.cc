@@ -35,7 +35,7 @@ class LineCosts {
 // The best candidates so far, and what is looked for.
 struct CandidateFinder::Hunt {
   const Placements& placements;
-  int item;
+  ItemId item;
   const CandidateOptions& options;
   Budget& budget;
   std::vector<Candidate> best;
@@ -69,8 +69,8 @@ struct CandidateFinder::Hunt {
 CandidateFinder::CandidateFinder(const PlacementModel& model, Scope scope)
     : model_(model), regions_(model, std::move(scope)), obstacles_(model, regions_), access_(model) {}
 
-bool CandidateFinder::collisions(const Placements& placements, int item, const Placement& placement, const std::vector<std::int64_t>& price,
-                                 std::vector<int>& hit) const {
+bool CandidateFinder::collisions(const Placements& placements, ItemId item, const Placement& placement,
+                                 const ById<ItemId, std::int64_t>& price, std::vector<ItemId>& hit) const {
   const Item& self = model_.items[item];
   const GridBox box = box_of(self, placement);
   hit.clear();
@@ -79,35 +79,34 @@ bool CandidateFinder::collisions(const Placements& placements, int item, const P
       if (overlap(outside, box)) return false;
     }
   }
-  for (std::size_t j = 0; j < model_.items.size(); ++j) {
-    const int other = static_cast<int>(j);
-    if (placements[j].state < 0 || other == item || (self.fixed && model_.items[j].fixed)) continue;
-    const bool clear_boxes = !regions_.clearance_off(model_.items[j]) && !regions_.clearance_off(self);
-    if (!collide(model_, item, placement, other, placements[j], clear_boxes)) continue;
-    if (price.empty() || price[j] < 0) return false;
+  for (const ItemId other : model_.items.ids()) {
+    if (placements[other].state < 0 || other == item || (self.fixed && model_.items[other].fixed)) continue;
+    const bool clear_boxes = !regions_.clearance_off(model_.items[other]) && !regions_.clearance_off(self);
+    if (!collide(model_, item, placement, other, placements[other], clear_boxes)) continue;
+    if (price.empty() || price[other] < 0) return false;
     hit.push_back(other);
   }
   return true;
 }
 
-bool CandidateFinder::legal(const Placements& placements, int item, const Placement& placement) const {
-  static const std::vector<std::int64_t> kNoPrice;
-  std::vector<int> hit;
+bool CandidateFinder::legal(const Placements& placements, ItemId item, const Placement& placement) const {
+  static const ById<ItemId, std::int64_t> kNoPrice;
+  std::vector<ItemId> hit;
   return collisions(placements, item, placement, kNoPrice, hit);
 }
 
 // What stands at that position of the region at hand; false: the room's edge, or what is not to be pushed.
-bool CandidateFinder::pushes(const Vec3& at, const std::vector<std::int64_t>& price, std::vector<int>& hit) {
+bool CandidateFinder::pushes(const Vec3& at, const ById<ItemId, std::int64_t>& price, std::vector<ItemId>& hit) {
   for (const Obstacles::Forbidden* const near : obstacles_.across(at)) {
     const Obstacles::Forbidden& f = *near;
     if (!obstacles_.holds(f, at)) continue;
-    if (f.owner < 0 || price.empty() || price[f.owner] < 0) return false;
+    if (!f.owner.exists() || price.empty() || price[f.owner] < 0) return false;
     if (hit.empty() || hit.back() != f.owner) hit.push_back(f.owner);
   }
   return true;
 }
 
-std::int64_t CandidateFinder::swing_cost(const Placements& placements, int opening, const Placement& placement) {
+std::int64_t CandidateFinder::swing_cost(const Placements& placements, ItemId opening, const Placement& placement) {
   probe_ = placements;
   probe_[opening] = placement;
   return access_cost_of(model_, opening, probe_);
@@ -115,7 +114,7 @@ std::int64_t CandidateFinder::swing_cost(const Placements& placements, int openi
 
 // Keeps it where it is legal; true: that was enough.
 bool CandidateFinder::consider(Hunt& hunt, int state, const Vec3& at, std::int64_t cost) {
-  static const std::vector<std::int64_t> kNoPrice;
+  static const ById<ItemId, std::int64_t> kNoPrice;
   const CandidateOptions& options = hunt.options;
   Candidate candidate{{state, at}, cost, {}};
   if (!pushes(at, options.eject_price ? *options.eject_price : kNoPrice, candidate.hit)) return false;
@@ -123,7 +122,7 @@ bool CandidateFinder::consider(Hunt& hunt, int state, const Vec3& at, std::int64
     hunt.best = {std::move(candidate)};
     return true;
   }
-  for (const int other : candidate.hit) candidate.cost += (*options.eject_price)[other];
+  for (const ItemId other : candidate.hit) candidate.cost += (*options.eject_price)[other];
   if (options.noise > 0) candidate.cost += options.random->below(options.noise);
   if (candidate.cost >= hunt.worst()) return false;
   if (candidate.hit.empty())
@@ -175,7 +174,7 @@ void CandidateFinder::heed(const CandidateGrid& grid, Budget& budget) const {
   budget.heed(static_cast<std::int64_t>(cases * values));
 }
 
-std::vector<Candidate> CandidateFinder::find(const Placements& placements, int item, const CandidateOptions& options, Budget& budget) {
+std::vector<Candidate> CandidateFinder::find(const Placements& placements, ItemId item, const CandidateOptions& options, Budget& budget) {
   Hunt hunt{placements, item, options, budget, {}, {}};
   const Item& self = model_.items[item];
   regions_.watch(&budget);

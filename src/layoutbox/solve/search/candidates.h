@@ -16,17 +16,17 @@ namespace layoutbox::placement {
 
 struct Candidate {
   Placement placement;
-  std::int64_t cost = 0;  // thousandths of a point, of what touches the item
-  std::vector<int> hit;   // with eject_price: the items it collides with
+  std::int64_t cost = 0;    // thousandths of a point, of what touches the item
+  std::vector<ItemId> hit;  // with eject_price: the items it collides with
 };
 
 struct CandidateOptions {
   std::size_t most = 1;
-  bool first_legal = false;                                // the first legal one will do
-  bool diverse = false;                                    // the best of every column and row rather than `most` alike
-  const std::vector<std::int64_t>* eject_price = nullptr;  // collisions are allowed at these prices by item; less than 0: never
-  std::int64_t noise = 0;                                  // up to this much is added to a cost at random
-  Random* random = nullptr;                                // REQUIRES: set where noise > 0
+  bool first_legal = false;                                 // the first legal one will do
+  bool diverse = false;                                     // the best of every column and row rather than `most` alike
+  const ById<ItemId, std::int64_t>* eject_price = nullptr;  // collisions are allowed at these prices; less than 0: never
+  std::int64_t noise = 0;                                   // up to this much is added to a cost at random
+  Random* random = nullptr;                                 // REQUIRES: set where noise > 0
   int most_size_step = 0;
 };
 
@@ -41,14 +41,14 @@ class CandidateFinder {
   void skip_dear_regions() { skips_dear_ = true; }
 
   // The item itself is taken as not placed.
-  std::vector<Candidate> find(const Placements& placements, int item, const CandidateOptions& options, Budget& budget);
+  std::vector<Candidate> find(const Placements& placements, ItemId item, const CandidateOptions& options, Budget& budget);
 
   // Collides with nothing placed, and lies in the room.
-  bool legal(const Placements& placements, int item, const Placement& placement) const;
+  bool legal(const Placements& placements, ItemId item, const Placement& placement) const;
 
   // What it collides with; false: the room's edge or what is not to be ejected.
-  bool collisions(const Placements& placements, int item, const Placement& placement, const std::vector<std::int64_t>& price,
-                  std::vector<int>& hit) const;
+  bool collisions(const Placements& placements, ItemId item, const Placement& placement, const ById<ItemId, std::int64_t>& price,
+                  std::vector<ItemId>& hit) const;
 
   const Scope& scope() const { return regions_.scope(); }
   bool enforced(ConstraintId constraint) const { return regions_.enforced(constraint); }
@@ -59,16 +59,16 @@ class CandidateFinder {
   bool try_grid(Hunt& hunt, int state, std::int64_t base, CandidateGrid& grid);
   bool try_points(Hunt& hunt, int state, std::int64_t base, const Region& region, const std::vector<Point>& points,
                   const std::vector<Mm>& heights);
-  void reduce_soft(const Placements& placements, const Case& one, int item, int state, Reduced& reduced) const;
-  void find_soft(const Placements& placements, int item, int state);
-  void offer_neighbours(const Placements& placements, int item, int state, Coordinates& to) const;
-  void cut(const Placements& placements, int item, int state, const Region& region, CandidateGrid& grid) const;
+  void reduce_soft(const Placements& placements, const Case& one, ItemId item, int state, Reduced& reduced) const;
+  void find_soft(const Placements& placements, ItemId item, int state);
+  void offer_neighbours(const Placements& placements, ItemId item, int state, Coordinates& to) const;
+  void cut(const Placements& placements, ItemId item, int state, const Region& region, CandidateGrid& grid) const;
   void heed(const CandidateGrid& grid, Budget& budget) const;
-  std::vector<Point> crossings(const Placements& placements, int item, int state, const Region& region,
+  std::vector<Point> crossings(const Placements& placements, ItemId item, int state, const Region& region,
                                const std::array<std::vector<Mm>, 3>& grid, Budget& budget) const;
   std::int64_t cost_at(const Region& region, const Vec3& at) const;
-  bool pushes(const Vec3& at, const std::vector<std::int64_t>& price, std::vector<int>& hit);
-  std::int64_t swing_cost(const Placements& placements, int opening, const Placement& placement);
+  bool pushes(const Vec3& at, const ById<ItemId, std::int64_t>& price, std::vector<ItemId>& hit);
+  std::int64_t swing_cost(const Placements& placements, ItemId opening, const Placement& placement);
 
   const PlacementModel& model_;
   RegionFinder regions_;

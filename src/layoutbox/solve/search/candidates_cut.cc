@@ -98,7 +98,7 @@ class Coordinates {
 };
 
 // A case of something wished for, with the item at hand in that state and everything else where it is.
-void CandidateFinder::reduce_soft(const Placements& placements, const Case& one, int item, int state, Reduced& reduced) const {
+void CandidateFinder::reduce_soft(const Placements& placements, const Case& one, ItemId item, int state, Reduced& reduced) const {
   reduced.checks.clear();
   reduced.wishes.clear();
   reduced.miss = 0;
@@ -114,9 +114,9 @@ void CandidateFinder::reduce_soft(const Placements& placements, const Case& one,
   }
 }
 
-void CandidateFinder::find_soft(const Placements& placements, int item, int state) {
+void CandidateFinder::find_soft(const Placements& placements, ItemId item, int state) {
   std::size_t used = 0;
-  const auto known = [&](int other) { return other == item || placements[other].state >= 0; };
+  const auto known = [&](ItemId other) { return other == item || placements[other].state >= 0; };
   for (const ConstraintId c : model_.touching[item]) {
     const Constraint& constraint = model_.constraints[c];
     if (constraint.firmness != Firmness::kSoft) continue;
@@ -135,27 +135,26 @@ void CandidateFinder::find_soft(const Placements& placements, int item, int stat
 }
 
 // Beside what stands there, and beside what it must leave free.
-void CandidateFinder::offer_neighbours(const Placements& placements, int item, int state, Coordinates& to) const {
+void CandidateFinder::offer_neighbours(const Placements& placements, ItemId item, int state, Coordinates& to) const {
   const State& own = model_.items[item].states[state];
   const GridBox mine{{0, 0, 0}, own.extent};
   for (const GridBox& outside : model_.outside) to.offer_beside(outside, mine);
-  for (std::size_t j = 0; j < model_.items.size(); ++j) {
-    const int other = static_cast<int>(j);
-    if (placements[j].state < 0 || other == item) continue;
+  for (const ItemId other : model_.items.ids()) {
+    if (placements[other].state < 0 || other == item) continue;
     const PairRule rule = model_.pair(item, other);
     if (rule == PairRule::kFree) continue;
-    const State& theirs = model_.items[j].states[placements[j].state];
-    to.offer_beside(box_of(model_.items[j], placements[j]), mine);
-    for (const GridBox& clear : theirs.clear) to.offer_beside(clear.shifted(placements[j].at), mine);
-    for (const GridBox& clear : own.clear) to.offer_beside(box_of(model_.items[j], placements[j]), clear);
+    const State& theirs = model_.items[other].states[placements[other].state];
+    to.offer_beside(box_of(model_.items[other], placements[other]), mine);
+    for (const GridBox& clear : theirs.clear) to.offer_beside(clear.shifted(placements[other].at), mine);
+    for (const GridBox& clear : own.clear) to.offer_beside(box_of(model_.items[other], placements[other]), clear);
     if (rule != PairRule::kSolids || theirs.solids.size() * own.solids.size() > 24) continue;
     for (const GridBox& body : theirs.solids) {
-      for (const GridBox& part : own.solids) to.offer_beside(body.shifted(placements[j].at), part);
+      for (const GridBox& part : own.solids) to.offer_beside(body.shifted(placements[other].at), part);
     }
   }
 }
 
-void CandidateFinder::cut(const Placements& placements, int item, int state, const Region& region, CandidateGrid& grid) const {
+void CandidateFinder::cut(const Placements& placements, ItemId item, int state, const Region& region, CandidateGrid& grid) const {
   Coordinates all(region, grid);
   for (const Reduced* one : region.cases) {
     for (const Wish& wish : one->wishes) all.offer_wish(wish.form);

@@ -61,7 +61,7 @@ struct Lines {
     }
   }
   // Beside what stands there, turned or not.
-  void add_beside(const PlacementModel& model, int item, int state, int other, const Placement& placement) {
+  void add_beside(const PlacementModel& model, ItemId item, int state, ItemId other, const Placement& placement) {
     for (std::size_t k = 0; k < model.headings.size(); ++k) {
       const Heading& h = model.headings[k];
       const Reach mine = reach_of(model, model.items[item], state, -1, static_cast<int>(k));
@@ -92,7 +92,7 @@ struct Lines {
 }  // namespace
 
 // Before a slanted wall: where the edge of what is allowed meets what is wished, what stands there, and some lines across.
-std::vector<Point> CandidateFinder::crossings(const Placements& placements, int item, int state, const Region& region,
+std::vector<Point> CandidateFinder::crossings(const Placements& placements, ItemId item, int state, const Region& region,
                                               const std::array<std::vector<Mm>, 3>& grid, Budget& budget) const {
   Lines lines{region.lo[2], {}, {}};
   lines.add_edges(region);
@@ -103,10 +103,10 @@ std::vector<Point> CandidateFinder::crossings(const Placements& placements, int 
       if (one.miss == 0) lines.add_wishes(one.wishes);
     }
   }
-  for (std::size_t j = 0; j < placements.size(); ++j) {
-    const int other = static_cast<int>(j);
-    if (placements[j].state < 0 || other == item || model_.items[j].is_opening() || model_.pair(item, other) == PairRule::kFree) continue;
-    lines.add_beside(model_, item, state, other, placements[j]);
+  for (const ItemId other : placements.ids()) {
+    if (placements[other].state < 0 || other == item || model_.items[other].is_opening() || model_.pair(item, other) == PairRule::kFree)
+      continue;
+    lines.add_beside(model_, item, state, other, placements[other]);
   }
   for (const int axis : {0, 1}) lines.add_across(axis, grid[axis]);
   budget.count(static_cast<std::int64_t>(lines.edges.size() * (lines.edges.size() + lines.others.size())));

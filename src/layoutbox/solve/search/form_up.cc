@@ -14,16 +14,16 @@ namespace {
 constexpr std::int64_t kStepsOfPlace = 10;
 
 // By formation, the constraints that say the places of its members.
-std::map<int, std::vector<ConstraintId>> places_by_formation(const PlacementModel& model) {
-  std::map<int, std::vector<ConstraintId>> places;
+std::map<ItemId, std::vector<ConstraintId>> places_by_formation(const PlacementModel& model) {
+  std::map<ItemId, std::vector<ConstraintId>> places;
   for (const ConstraintId c : model.constraints.ids()) {
-    if (model.constraints[c].formation >= 0) places[model.constraints[c].formation].push_back(c);
+    if (model.constraints[c].formation.exists()) places[model.constraints[c].formation].push_back(c);
   }
   return places;
 }
 
 // Where a wish that speaks of nothing but the item's own place along one axis is met.
-void meet(const Preference& wish, const Item& item, int index, Placement& placement) {
+void meet(const Preference& wish, const Item& item, ItemId index, Placement& placement) {
   std::int64_t slope = 0, rest = wish.form.constant;
   int axis = -1;
   for (const Term& term : wish.form.terms) {
@@ -56,7 +56,7 @@ bool Search::form_from_nothing(const std::vector<ConstraintId>& places, std::siz
     placements_[c.member] = placement;
   }
   return std::ranges::all_of(places, [&](ConstraintId place) {
-    const int member = model_.constraints[place].member;
+    const ItemId member = model_.constraints[place].member;
     return may_stay(member, placements_[member]);
   });
 }
@@ -84,7 +84,7 @@ bool Search::construct_formed(std::size_t fewest, Budget& budget) {
   std::optional<std::pair<std::int64_t, Placements>> best;
   for (std::size_t way = 0; way < kWays; ++way) {
     if (!form_all(fewest, way)) continue;
-    for (const int item : order(bonus_)) {
+    for (const ItemId item : order(bonus_)) {
       if (placements_[item].state < 0 && (budget.stopped || !place(item, 0, budget))) failed_.push_back(item);
     }
     if (!failed_.empty() && !repair(budget)) continue;
@@ -96,10 +96,10 @@ bool Search::construct_formed(std::size_t fewest, Budget& budget) {
 }
 
 // What rests on it and who sits there, but for members; what it is looked at from or looks at stays.
-std::vector<int> Search::followers_of(int item, const std::vector<int>& members) const {
-  std::vector<int> group{item};
+std::vector<ItemId> Search::followers_of(ItemId item, const std::vector<ItemId>& members) const {
+  std::vector<ItemId> group{item};
   for (std::size_t i = 0; i < group.size(); ++i) {
-    for (const int tenant : dependencies_.tenants[group[i]]) {
+    for (const ItemId tenant : dependencies_.tenants[group[i]]) {
       const bool known = std::ranges::find(group, tenant) != group.end() || std::ranges::find(members, tenant) != members.end();
       if (known || placements_[tenant].state < 0 || model_.items[tenant].is_opening()) continue;
       const Item& other = model_.items[tenant];
@@ -115,10 +115,10 @@ std::vector<int> Search::followers_of(int item, const std::vector<int>& members)
 }
 
 // One member in the place that its constraint says for that way to look. What hangs on it comes along, or, where it is turned, is loose.
-bool Search::step_into_place(ConstraintId constraint, const Way& way, const std::vector<int>& members, std::vector<int>& moved,
-                             std::vector<int>& loose) {
+bool Search::step_into_place(ConstraintId constraint, const Way& way, const std::vector<ItemId>& members, std::vector<ItemId>& moved,
+                             std::vector<ItemId>& loose) {
   const Constraint& c = model_.constraints[constraint];
-  const int index = c.member;
+  const ItemId index = c.member;
   const Item& item = model_.items[index];
   if (stays(item) || placements_[index].state < 0 || way.looking >= c.formulas[0].cases.size()) return false;
   const Case& here = c.formulas[0].cases[way.looking];
@@ -135,7 +135,7 @@ bool Search::step_into_place(ConstraintId constraint, const Way& way, const std:
   }
   for (const Preference& wish : here.wishes) meet(wish, item, index, after);
   for (int axis = 0; axis < 2; ++axis) after.at[axis] += way.off[axis];
-  for (const int follower : followers_of(index, members)) {
+  for (const ItemId follower : followers_of(index, members)) {
     if (std::ranges::find(moved, follower) != moved.end() || std::ranges::find(loose, follower) != loose.end()) continue;
     if (stays(model_.items[follower])) return false;
     if (after.state != before.state) {
@@ -152,25 +152,25 @@ bool Search::step_into_place(ConstraintId constraint, const Way& way, const std:
 
 bool Search::form_up(const std::vector<ConstraintId>& places, const Way& way, Budget& budget) {
   const Placements before = placements_;
-  std::vector<int> members, moved, queue;
+  std::vector<ItemId> members, moved, queue;
   for (const ConstraintId c : places) members.push_back(model_.constraints[c].member);
   bool all = std::ranges::all_of(places, [&](ConstraintId c) { return step_into_place(c, way, members, moved, queue); });
-  for (const int item : queue) placements_[item] = {};
-  std::vector<std::int64_t> price(model_.items.size(), kPoint);
-  for (std::size_t i = 0; i < price.size(); ++i) {
-    if (stays(model_.items[i]) || std::ranges::find(moved, static_cast<int>(i)) != moved.end()) price[i] = -1;
+  for (const ItemId item : queue) placements_[item] = {};
+  ById<ItemId, std::int64_t> price(model_.items.size(), kPoint);
+  for (const ItemId i : price.ids()) {
+    if (stays(model_.items[i]) || std::ranges::find(moved, i) != moved.end()) price[i] = -1;
   }
-  std::vector<int> hit;
+  std::vector<ItemId> hit;
   for (std::size_t i = 0; i < moved.size() && all && !budget.stopped; ++i) {
     // What was taken out may have taken one of them along.
     all = placements_[moved[i]].state >= 0 && finder_.collisions(placements_, moved[i], placements_[moved[i]], price, hit);
-    for (const int other : hit) {
+    for (const ItemId other : hit) {
       if (all && placements_[other].state >= 0) take_out(other, queue);
     }
     budget.count(kStepsOfPlace);
     budget.heed(static_cast<std::int64_t>(model_.items.size()));
   }
-  all = all && std::ranges::all_of(moved, [&](int item) { return placements_[item].state >= 0; }) && may_stay(moved, budget);
+  all = all && std::ranges::all_of(moved, [&](ItemId item) { return placements_[item].state >= 0; }) && may_stay(moved, budget);
   for (std::size_t i = 0; i < queue.size() && all; ++i) all = placements_[queue[i]].state >= 0 || place(queue[i], 0, budget);
   moved.insert(moved.end(), queue.begin(), queue.end());
   if (all && is_better(before, moved, budget)) return true;

@@ -30,18 +30,18 @@ std::vector<std::string> in_facing_order(const SceneGraph& scene, const std::vec
 
 }  // namespace
 
-bool Search::move(const std::vector<int>& group, std::int64_t noise, Budget& budget) {
+bool Search::move(const std::vector<ItemId>& group, std::int64_t noise, Budget& budget) {
   const Placements before = placements_;
-  for (const int member : group) placements_[member] = {};
+  for (const ItemId member : group) placements_[member] = {};
   bool all = true;
-  for (const int member : group) all = all && !budget.stopped && place(member, noise, budget);
+  for (const ItemId member : group) all = all && !budget.stopped && place(member, noise, budget);
   if (all && is_better(before, group, budget)) return true;
   placements_ = before;
   return false;
 }
 
 // Whether what moved since is worth it.
-bool Search::is_better(const Placements& before, const std::vector<int>& moved, Budget& budget, std::int64_t least_gain) {
+bool Search::is_better(const Placements& before, const std::vector<ItemId>& moved, Budget& budget, std::int64_t least_gain) {
   if (placements_ == before) return false;
   const std::int64_t gain = known_.gain(model_, {before, placements_, moved}, least_gain);
   budget.count(100);
@@ -55,12 +55,12 @@ bool Search::is_better(const Placements& before, const std::vector<int>& moved, 
 }
 
 // An item goes where it is best though others stand there; those look for new places.
-bool Search::push(int item, Budget& budget) {
+bool Search::push(ItemId item, Budget& budget) {
   const Placements before = placements_;
-  std::vector<int> moved;
+  std::vector<ItemId> moved;
   take_out(item, moved);
-  std::vector<std::int64_t> price(model_.items.size());
-  for (std::size_t i = 0; i < price.size(); ++i) price[i] = stays(model_.items[i]) ? -1 : kPushing;
+  ById<ItemId, std::int64_t> price(model_.items.size());
+  for (const ItemId i : price.ids()) price[i] = stays(model_.items[i]) ? -1 : kPushing;
   CandidateOptions options;
   options.eject_price = &price;
   options.noise = kPushing * (1 + random_.below(3));
@@ -70,7 +70,7 @@ bool Search::push(int item, Budget& budget) {
   bool all = !found.empty();
   if (all) {
     placements_[item] = found[0].placement;
-    for (const int other : found[0].hit) take_out(other, moved);
+    for (const ItemId other : found[0].hit) take_out(other, moved);
     all = placements_[item].state >= 0;  // else it hung on what it pushed out
   }
   for (std::size_t i = 0; i < moved.size() && all; ++i) all = moved[i] == item || place(moved[i], 0, budget);
@@ -80,19 +80,19 @@ bool Search::push(int item, Budget& budget) {
 }
 
 // Rows and grids, each with what they look at and all that hangs on them: bound to one another, they can only move together.
-std::vector<std::vector<int>> Search::formations() const {
+std::vector<std::vector<ItemId>> Search::formations() const {
   constexpr std::size_t kMany = 4;
-  std::vector<std::vector<int>> found;
+  std::vector<std::vector<ItemId>> found;
   for (const Relation& r : model_.scene->relations) {
     if ((r.type != RelationType::kGrid && r.type != RelationType::kRow) || r.targets.size() < kMany) continue;
-    std::vector<int> group;
+    std::vector<ItemId> group;
     bool movable = true;
     for (const std::string& id : in_facing_order(*model_.scene, r.targets)) {
-      std::vector<int> more;
-      const int item = model_.find_item(id);
-      if (item < 0 || placements_[item].state < 0) continue;
+      std::vector<ItemId> more;
+      const ItemId item = model_.find_item(id);
+      if (!item.exists() || placements_[item].state < 0) continue;
       group_of(dependencies_, placements_, item, more);
-      for (const int m : more) {
+      for (const ItemId m : more) {
         movable = movable && !stays(model_.items[m]);
         if (std::find(group.begin(), group.end(), m) == group.end()) group.push_back(m);
       }
@@ -102,23 +102,23 @@ std::vector<std::vector<int>> Search::formations() const {
   return found;
 }
 
-std::vector<int> Search::movable() const {
-  std::vector<int> found;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    if (placements_[i].state >= 0 && !stays(model_.items[i])) found.push_back(static_cast<int>(i));
+std::vector<ItemId> Search::movable() const {
+  std::vector<ItemId> found;
+  for (const ItemId i : model_.items.ids()) {
+    if (placements_[i].state >= 0 && !stays(model_.items[i])) found.push_back(i);
   }
   return found;
 }
 
 bool Search::shake(Budget& budget) {
-  const std::vector<int> all = movable();
+  const std::vector<ItemId> all = movable();
   if (all.empty()) return false;
   const Placements before = placements_;
-  std::vector<int> out;
+  std::vector<ItemId> out;
   for (std::int64_t k = random_.below(kShaken); k >= 0; --k)
     take_out(all[static_cast<std::size_t>(random_.below(static_cast<std::int64_t>(all.size())))], out);
   const std::int64_t noise = kPoint * (1 + random_.below(kNoiseOfShaking));
-  for (const int item : order(bonus_)) {
+  for (const ItemId item : order(bonus_)) {
     if (placements_[item].state >= 0 || (!budget.stopped && place(item, noise, budget))) continue;
     placements_ = before;
     return false;

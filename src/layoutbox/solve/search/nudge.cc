@@ -19,16 +19,16 @@ bool touch(const GridBox& a, const GridBox& b) {
 }  // namespace
 
 // The thing, some of those that touch it, and all that hangs on them.
-std::vector<int> Search::cluster_of(int item) {
-  std::vector<int> cluster, more;
+std::vector<ItemId> Search::cluster_of(ItemId item) {
+  std::vector<ItemId> cluster, more;
   group_of(dependencies_, placements_, item, cluster);
   const GridBox box = box_of(model_.items[item], placements_[item]);
-  for (std::size_t j = 0; j < model_.items.size(); ++j) {
-    const int other = static_cast<int>(j);
-    const bool apart = placements_[j].state < 0 || model_.items[j].is_opening() || model_.pair(item, other) == PairRule::kFree;
-    if (apart || stays(model_.items[j]) || !touch(box, box_of(model_.items[j], placements_[j])) || random_.below(2) == 0) continue;
+  for (const ItemId other : model_.items.ids()) {
+    const bool apart = placements_[other].state < 0 || model_.items[other].is_opening() || model_.pair(item, other) == PairRule::kFree;
+    if (apart || stays(model_.items[other]) || !touch(box, box_of(model_.items[other], placements_[other])) || random_.below(2) == 0)
+      continue;
     group_of(dependencies_, placements_, other, more);
-    for (const int m : more) {
+    for (const ItemId m : more) {
       if (std::find(cluster.begin(), cluster.end(), m) == cluster.end()) cluster.push_back(m);
     }
   }
@@ -36,11 +36,11 @@ std::vector<int> Search::cluster_of(int item) {
 }
 
 // The thing and all that habits tie to it, directly or not: a sofa with its table, chairs, rug and television.
-std::vector<int> Search::company_of(int item) const {
-  std::vector<int> company{item};
+std::vector<ItemId> Search::company_of(ItemId item) const {
+  std::vector<ItemId> company{item};
   for (std::size_t i = 0; i < company.size(); ++i) {
-    for (const std::vector<int>* others : {&dependencies_.hosts[company[i]], &dependencies_.tenants[company[i]]}) {
-      for (const int other : *others) {
+    for (const std::vector<ItemId>* others : {&dependencies_.hosts[company[i]], &dependencies_.tenants[company[i]]}) {
+      for (const ItemId other : *others) {
         const bool apart = placements_[other].state < 0 || model_.items[other].is_opening() || stays(model_.items[other]);
         if (!apart && std::find(company.begin(), company.end(), other) == company.end()) company.push_back(other);
       }
@@ -50,25 +50,25 @@ std::vector<int> Search::company_of(int item) const {
 }
 
 // True: it is better there.
-bool Search::shift(const std::vector<int>& cluster, int axis, Mm by, std::int64_t least_gain, Budget& budget) {
+bool Search::shift(const std::vector<ItemId>& cluster, int axis, Mm by, std::int64_t least_gain, Budget& budget) {
   const Placements before = placements_;
-  for (const int member : cluster) placements_[member].at[axis] += by;
+  for (const ItemId member : cluster) placements_[member].at[axis] += by;
   budget.count(kStepsOfNudge * static_cast<std::int64_t>(cluster.size()));
   if (may_stay(cluster, budget) && is_better(before, cluster, budget, least_gain)) return true;
   placements_ = before;
   return false;
 }
 
-bool Search::nudge(int item, Budget& budget) {
+bool Search::nudge(ItemId item, Budget& budget) {
   // Whole companies now and then; the ways, costly to measure, are looked at only where that gains something without them.
   const bool whole = random_.below(kWhole) == 0;
-  const std::vector<int> cluster = whole ? company_of(item) : cluster_of(item);
+  const std::vector<ItemId> cluster = whole ? company_of(item) : cluster_of(item);
   return nudge_all(cluster, whole ? 1 : kLeastGain, budget);
 }
 
 // All of them together, to either side in ever smaller steps.
-bool Search::nudge_all(const std::vector<int>& cluster, std::int64_t least_gain, Budget& budget) {
-  if (std::any_of(cluster.begin(), cluster.end(), [&](int m) { return stays(model_.items[m]); })) return false;
+bool Search::nudge_all(const std::vector<ItemId>& cluster, std::int64_t least_gain, Budget& budget) {
+  if (std::any_of(cluster.begin(), cluster.end(), [&](ItemId m) { return stays(model_.items[m]); })) return false;
   bool any = false;
   for (Mm by = kLongest; by > 0 && !budget.stopped; by /= 2) {
     for (const int axis : {0, 1})
@@ -78,12 +78,12 @@ bool Search::nudge_all(const std::vector<int>& cluster, std::int64_t least_gain,
 }
 
 // Does a habit or a relation speak of some of both?
-bool Search::are_tied(const std::vector<int>& a, const std::vector<int>& b) const {
+bool Search::are_tied(const std::vector<ItemId>& a, const std::vector<ItemId>& b) const {
   constexpr std::size_t kFew = 4;  // what speaks of all the room ties nobody
   return std::ranges::any_of(model_.constraints, [&](const Constraint& constraint) {
     return std::ranges::any_of(constraint.formulas, [&](const Formula& formula) {
-      const auto speaks_of = [&](const std::vector<int>& company) {
-        return std::ranges::any_of(formula.items, [&](int item) { return std::ranges::find(company, item) != company.end(); });
+      const auto speaks_of = [&](const std::vector<ItemId>& company) {
+        return std::ranges::any_of(formula.items, [&](ItemId item) { return std::ranges::find(company, item) != company.end(); });
       };
       return formula.items.size() <= kFew && speaks_of(a) && speaks_of(b);
     });
@@ -93,9 +93,9 @@ bool Search::are_tied(const std::vector<int>& a, const std::vector<int>& b) cons
 // Each company as a whole where it is best, and every two that have to do with each other: those round the sofa with the screen across
 // from them. Chance seldom does that, as all but one of its many ways there are worse.
 void Search::settle(Budget& budget) {
-  std::vector<std::vector<int>> companies;
-  for (const int item : movable()) {
-    std::vector<int> company = company_of(item);
+  std::vector<std::vector<ItemId>> companies;
+  for (const ItemId item : movable()) {
+    std::vector<ItemId> company = company_of(item);
     std::ranges::sort(company);
     if (model_.items[item].is_opening() || std::ranges::find(companies, company) != companies.end()) continue;
     companies.push_back(std::move(company));
@@ -104,7 +104,7 @@ void Search::settle(Budget& budget) {
     if (companies[i].size() > 1) nudge_all(companies[i], 1, budget);
     for (std::size_t j = 0; j < i && !budget.stopped; ++j) {
       if (!are_tied(companies[i], companies[j])) continue;
-      std::vector<int> both = companies[i];
+      std::vector<ItemId> both = companies[i];
       both.insert(both.end(), companies[j].begin(), companies[j].end());
       nudge_all(both, 1, budget);
     }

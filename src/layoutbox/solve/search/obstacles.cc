@@ -73,9 +73,9 @@ std::span<const Obstacles::Forbidden* const> Obstacles::across(const Vec3& at) {
   return across_;
 }
 
-void Obstacles::add_stripes(Forbidden& f, const Placements& placements, int item, int state, const Piece& mine, const Piece& theirs) {
+void Obstacles::add_stripes(Forbidden& f, const Placements& placements, ItemId item, int state, const Piece& mine, const Piece& theirs) {
   const Placement& there = placements[f.owner];
-  const auto reach_of_piece = [&](int of, int in, const Piece& piece, int heading) {
+  const auto reach_of_piece = [&](ItemId of, int in, const Piece& piece, int heading) {
     const Item& owner = model_.items[of];
     return owner.is_opening() ? reach_of(piece.box, model_.headings[heading]) : reach_of(model_, owner, in, piece.solid, heading);
   };
@@ -90,7 +90,7 @@ void Obstacles::add_stripes(Forbidden& f, const Placements& placements, int item
   }
 }
 
-void Obstacles::add_pair(const Placements& placements, int item, int state, int other, const Region& region) {
+void Obstacles::add_pair(const Placements& placements, ItemId item, int state, ItemId other, const Region& region) {
   const PairRule rule = model_.pair(item, other);
   const Item &self = model_.items[item], &them = model_.items[other];
   if (rule == PairRule::kFree || (self.fixed && them.fixed)) return;
@@ -126,7 +126,7 @@ void Obstacles::add_pair(const Placements& placements, int item, int state, int 
   }
 }
 
-void Obstacles::gather(const Placements& placements, int item, int state, const Region& region) {
+void Obstacles::gather(const Placements& placements, ItemId item, int state, const Region& region) {
   forbidden_.clear();
   stripes_.clear();
   across_known_ = false;
@@ -143,9 +143,8 @@ void Obstacles::gather(const Placements& placements, int item, int state, const 
     const Mm more = k < 2 ? kBetweenOpenings : 1;
     whole.lo[k] += region.lo[k] - more, whole.hi[k] += region.hi[k] + more;
   }
-  for (std::size_t j = 0; j < placements.size(); ++j) {
-    const Placement& there = placements[j];
-    const int other = static_cast<int>(j);
+  for (const ItemId other : placements.ids()) {
+    const Placement& there = placements[other];
     if (there.state < 0 || other == item || !overlap(whole, reach(other, there.state).shifted(there.at))) continue;
     add_pair(placements, item, state, other, region);
   }

@@ -16,11 +16,11 @@ class Obstacles {
   struct Stripe {
     std::int64_t x = 0, y = 0, constant = 0, half = 0;
   };
-  // Positions of the item's low corner, all inside of the box and within the stripes, at which it would collide with the owner (−1: the
+  // Positions of the item's low corner, all inside of the box and within the stripes, at which it would collide with the owner (none: the
   // room).
   struct Forbidden {
     Vec3 lo{}, hi{};
-    int owner = -1;
+    ItemId owner = {};
     int first_stripe = 0, stripes = 0;
   };
   struct Sweep {
@@ -32,7 +32,7 @@ class Obstacles {
   Obstacles(const PlacementModel& model, const RegionFinder& regions);
 
   // Finds what is in the way of the item anywhere in the region. The item itself is taken as not placed.
-  void gather(const Placements& placements, int item, int state, const Region& region);
+  void gather(const Placements& placements, ItemId item, int state, const Region& region);
 
   const std::vector<Forbidden>& all() const { return forbidden_; }
   bool holds(const Forbidden& f, const Vec3& at) const {
@@ -52,21 +52,21 @@ class Obstacles {
   }
   bool within_stripes(const Forbidden& f, const Vec3& at) const;
   bool along(const Forbidden& f, int b, Mm line, Mm& from, Mm& to) const;
-  void add_pair(const Placements& placements, int item, int state, int other, const Region& region);
+  void add_pair(const Placements& placements, ItemId item, int state, ItemId other, const Region& region);
   // A part of a body: the whole (−1) or one of its solids; of an opening a box that is to be free.
   struct Piece {
     GridBox box;
     int solid = -1;
   };
-  void add_stripes(Forbidden& f, const Placements& placements, int item, int state, const Piece& mine, const Piece& theirs);
+  void add_stripes(Forbidden& f, const Placements& placements, ItemId item, int state, const Piece& mine, const Piece& theirs);
   void line_up(const Region& region, const Sweep& how, Mm z);
   bool sweep_line(const Region& region, const Sweep& how, Vec3& at) const;
-  const GridBox& reach(int item, int state) const { return reach_[first_state_[item] + static_cast<std::size_t>(state)]; }
+  const GridBox& reach(ItemId item, int state) const { return reach_[first_state_[item] + static_cast<std::size_t>(state)]; }
 
   const PlacementModel& model_;
   const RegionFinder& regions_;
-  std::vector<std::size_t> first_state_;  // by item, into reach_
-  std::vector<GridBox> reach_;            // a state's box and its clear boxes, from the low corner
+  ById<ItemId, std::size_t> first_state_;  // into reach_
+  std::vector<GridBox> reach_;             // a state's box and its clear boxes, from the low corner
   std::vector<Forbidden> forbidden_;
   std::vector<Stripe> stripes_;
   std::vector<const Forbidden*> near_;  // those at the height that is swept

@@ -6,22 +6,22 @@
 namespace layoutbox::placement {
 namespace {
 
-bool may_rest_on(const Item& item, int host) {
+bool may_rest_on(const Item& item, ItemId host) {
   return std::any_of(item.supports.begin(), item.supports.end(),
                      [&](const SupportOption& support) { return support.kind == SupportOption::Kind::kItem && support.item == host; });
 }
 
-std::vector<int> hosts_of(const PlacementModel& model, int item) {
-  std::vector<int> found;
-  const auto add = [&](int other) {
-    if (other != item && other >= 0 && std::find(found.begin(), found.end(), other) == found.end()) found.push_back(other);
+std::vector<ItemId> hosts_of(const PlacementModel& model, ItemId item) {
+  std::vector<ItemId> found;
+  const auto add = [&](ItemId other) {
+    if (other != item && other.exists() && std::find(found.begin(), found.end(), other) == found.end()) found.push_back(other);
   };
   for (const SupportOption& support : model.items[item].supports) {
     if (support.kind == SupportOption::Kind::kItem || support.kind == SupportOption::Kind::kSill) add(support.item);
   }
   for (const ConstraintId c : model.touching[item]) {
     const Constraint& constraint = model.constraints[c];
-    for (const int other : constraint.hosts) {  // a desk waits for no screen that the keyboard on it lies before
+    for (const ItemId other : constraint.hosts) {  // a desk waits for no screen that the keyboard on it lies before
       if (!may_rest_on(model.items[other], item)) add(other);
     }
     if (!constraint.relation.exists()) continue;
@@ -33,7 +33,7 @@ std::vector<int> hosts_of(const PlacementModel& model, int item) {
 }
 
 // Hard relations that tie an item to things of another kind: of a row or grid, those go first and the others follow them.
-int anchors_of(const PlacementModel& model, int item) {
+int anchors_of(const PlacementModel& model, ItemId item) {
   int anchors = 0;
   for (const ConstraintId c : model.touching[item]) {
     const Constraint& constraint = model.constraints[c];
@@ -41,8 +41,8 @@ int anchors_of(const PlacementModel& model, int item) {
     const Relation& relation = model.relation(constraint.relation);
     if (std::find(relation.targets.begin(), relation.targets.end(), model.items[item].id) == relation.targets.end()) continue;
     anchors += std::any_of(relation.references.begin(), relation.references.end(), [&](const std::string& id) {
-      const int other = model.find_item(id);
-      return other >= 0 && model.items[other].entry != model.items[item].entry;
+      const ItemId other = model.find_item(id);
+      return other.exists() && model.items[other].entry != model.items[item].entry;
     });
   }
   return anchors;
@@ -53,23 +53,24 @@ int anchors_of(const PlacementModel& model, int item) {
 bool stays(const Item& item) { return item.fixed || item.locked || (item.is_opening() && item.opening->offset); }
 
 Dependencies::Dependencies(const PlacementModel& model) : hosts(model.items.size()), tenants(model.items.size()) {
-  for (std::size_t i = 0; i < model.items.size(); ++i) {
-    hosts[i] = hosts_of(model, static_cast<int>(i));
-    for (const int host : hosts[i]) tenants[host].push_back(static_cast<int>(i));
+  for (const ItemId i : model.items.ids()) {
+    hosts[i] = hosts_of(model, i);
+    for (const ItemId host : hosts[i]) tenants[host].push_back(i);
   }
 }
 
-std::vector<int> placing_order(const PlacementModel& model, const Dependencies& dependencies, const Scope& scope,
-                               const std::vector<int>& bonus) {
+std::vector<ItemId> placing_order(const PlacementModel& model, const Dependencies& dependencies, const Scope& scope,
+                                  const ById<ItemId, int>& bonus) {
   struct Key {
-    int item, bonus, group, anchors;
+    ItemId item;
+    int bonus, group, anchors;
     std::int64_t area;
   };
   std::vector<Key> keys;
-  for (std::size_t i = 0; i < model.items.size(); ++i) {
+  for (const ItemId i : model.items.ids()) {
     const Item& item = model.items[i];
-    if (scope.leaves_out(static_cast<int>(i))) continue;
-    Key key{static_cast<int>(i), bonus[i], 3, anchors_of(model, static_cast<int>(i)), 0};
+    if (scope.leaves_out(i)) continue;
+    Key key{i, bonus[i], 3, anchors_of(model, i), 0};
     const Vec3& e = item.states[0].extent;
     key.area = std::int64_t{e[0]} * e[1];
     bool at_wall_by_relation = false;
@@ -95,22 +96,22 @@ std::vector<int> placing_order(const PlacementModel& model, const Dependencies& 
     return std::tuple(a.group != 0, -a.bonus, a.group, -a.area, -a.anchors, a.item) <
            std::tuple(b.group != 0, -b.bonus, b.group, -b.area, -b.anchors, b.item);
   });
-  std::vector<int> out;
-  std::vector<char> seen(model.items.size(), 0);
-  const std::function<void(int)> emit = [&](int item) {
+  std::vector<ItemId> out;
+  ById<ItemId, char> seen(model.items.size(), 0);
+  const std::function<void(ItemId)> emit = [&](ItemId item) {
     if (seen[item] || scope.leaves_out(item)) return;
     seen[item] = 1;
-    for (const int other : dependencies.hosts[item]) emit(other);
+    for (const ItemId other : dependencies.hosts[item]) emit(other);
     out.push_back(item);
   };
   for (const Key& key : keys) emit(key.item);
   return out;
 }
 
-void group_of(const Dependencies& dependencies, const Placements& placements, int item, std::vector<int>& group) {
+void group_of(const Dependencies& dependencies, const Placements& placements, ItemId item, std::vector<ItemId>& group) {
   group.assign(1, item);
   for (std::size_t i = 0; i < group.size(); ++i) {
-    for (const int tenant : dependencies.tenants[group[i]]) {
+    for (const ItemId tenant : dependencies.tenants[group[i]]) {
       if (placements[tenant].state >= 0 && std::find(group.begin(), group.end(), tenant) == group.end()) group.push_back(tenant);
     }
   }

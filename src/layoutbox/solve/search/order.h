@@ -13,15 +13,15 @@ bool stays(const Item& item);
 
 struct Dependencies {
   explicit Dependencies(const PlacementModel& model);
-  std::vector<std::vector<int>> hosts;    // item → items it refers to
-  std::vector<std::vector<int>> tenants;  // item → items that refer to it
+  ById<ItemId, std::vector<ItemId>> hosts;    // what it refers to
+  ById<ItemId, std::vector<ItemId>> tenants;  // what refers to it
 };
 
 // Fixed ones, then the ones with the most `bonus`, what a relation ties to a wall, openings, the rest by size, things on things, rugs.
-std::vector<int> placing_order(const PlacementModel& model, const Dependencies& dependencies, const Scope& scope,
-                               const std::vector<int>& bonus);
+std::vector<ItemId> placing_order(const PlacementModel& model, const Dependencies& dependencies, const Scope& scope,
+                                  const ById<ItemId, int>& bonus);
 
 // The item and everything placed that hangs on it, hosts first.
-void group_of(const Dependencies& dependencies, const Placements& placements, int item, std::vector<int>& group);
+void group_of(const Dependencies& dependencies, const Placements& placements, ItemId item, std::vector<ItemId>& group);
 
 }  // namespace layoutbox::placement

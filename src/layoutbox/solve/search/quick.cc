@@ -24,7 +24,7 @@ bool same_body(const State& a, const State& b) {
 }
 
 // By state the set of those that cannot be told from it by room taken or by anything that must hold.
-std::vector<std::uint64_t> alike_states(const PlacementModel& model, const RegionFinder& regions, int item) {
+std::vector<std::uint64_t> alike_states(const PlacementModel& model, const RegionFinder& regions, ItemId item) {
   const std::vector<State>& states = model.items[item].states;
   std::vector<std::uint64_t> alike(states.size(), 0), masks;
   for (const ConstraintId c : model.touching[item]) {
@@ -58,13 +58,13 @@ QuickSearch::QuickSearch(const PlacementModel& model, const Dependencies& depend
       most_size_step_(most_size_step),
       weight_(model.items.size(), 0),
       obstacles_(model, regions_) {
-  for (std::size_t i = 0; i < model.items.size(); ++i) alike_.push_back(alike_states(model, regions_, static_cast<int>(i)));
+  for (const ItemId i : model.items.ids()) alike_.push_back(alike_states(model, regions_, i));
 }
 
 void QuickSearch::note_failed(const Placements& placements) {
   failed_.clear();
-  for (int i = 0; i < static_cast<int>(placements.size()); ++i) {
-    if (!regions_.scope().leaves_out(i) && placements[static_cast<std::size_t>(i)].state < 0) failed_.push_back(i);
+  for (const ItemId i : placements.ids()) {
+    if (!regions_.scope().leaves_out(i) && placements[i].state < 0) failed_.push_back(i);
   }
 }
 
@@ -80,8 +80,8 @@ bool QuickSearch::complete(Placements& placements, Budget& budget) {
       attempts_ = 0;
     }
     placements_ = placements;
-    std::vector<int> pending = placing_order(model_, dependencies_, regions_.scope(), weight_);
-    std::erase_if(pending, [&](int item) { return placements_[item].state >= 0; });
+    std::vector<ItemId> pending = placing_order(model_, dependencies_, regions_.scope(), weight_);
+    std::erase_if(pending, [&](ItemId item) { return placements_[item].state >= 0; });
     std::reverse(pending.begin(), pending.end());  // the next is taken from the end
     const bool all = attempt(std::move(pending), budget);
     if (all || failed_.size() < least) best = placements_, least = failed_.size();
@@ -93,26 +93,26 @@ bool QuickSearch::complete(Placements& placements, Budget& budget) {
 }
 
 // The last one whose hosts have their places.
-int QuickSearch::next_of(std::vector<int>& pending) const {
+ItemId QuickSearch::next_of(std::vector<ItemId>& pending) const {
   std::size_t at = pending.size() - 1;
   for (std::size_t i = pending.size(); i-- > 0;) {
     const auto& hosts = dependencies_.hosts[pending[i]];
-    const auto waits = [&](int host) { return std::find(pending.begin(), pending.end(), host) != pending.end(); };
+    const auto waits = [&](ItemId host) { return std::find(pending.begin(), pending.end(), host) != pending.end(); };
     if (std::any_of(hosts.begin(), hosts.end(), waits)) continue;
     at = i;
     break;
   }
-  const int item = pending[at];
+  const ItemId item = pending[at];
   pending.erase(pending.begin() + static_cast<std::ptrdiff_t>(at));
   return item;
 }
 
-bool QuickSearch::attempt(std::vector<int> pending, Budget& budget) {
+bool QuickSearch::attempt(std::vector<ItemId> pending, Budget& budget) {
   // Later attempts are longer.
   const int limit = (kPushesPerItem * static_cast<int>(model_.items.size()) + kPushesMore) * (kLongerBy + attempts_++) / kLongerBy;
   int pushes = 0;
   while (!pending.empty() && pushes < limit && !budget.spent()) {
-    const int item = next_of(pending);
+    const ItemId item = next_of(pending);
     if (settle(item, budget)) continue;
     ++weight_[item], ++pushes;
     if (push_out(item, pending, budget) || take_hosts(item, pending)) continue;
@@ -124,7 +124,7 @@ bool QuickSearch::attempt(std::vector<int> pending, Budget& budget) {
 }
 
 // Of states that differ in nothing the search sees one will do, now this one, now that.
-const std::vector<int>& QuickSearch::states_in_turn(int item) {
+const std::vector<int>& QuickSearch::states_in_turn(ItemId item) {
   const std::vector<State>& states = model_.items[item].states;
   turns_.clear();
   const auto first = static_cast<std::size_t>(random_.below(static_cast<std::int64_t>(states.size())));
@@ -147,13 +147,13 @@ bool QuickSearch::somewhere(const Region& region, Vec3& at) {
 }
 
 // Where what hangs on it and has failed before finds a place too, if a few tries come to such a place.
-bool QuickSearch::settle(int item, Budget& budget) {
-  const auto waits = [&](int tenant) { return weight_[tenant] > 0 && placements_[tenant].state < 0; };
-  std::vector<int> watched;
+bool QuickSearch::settle(ItemId item, Budget& budget) {
+  const auto waits = [&](ItemId tenant) { return weight_[tenant] > 0 && placements_[tenant].state < 0; };
+  std::vector<ItemId> watched;
   std::copy_if(dependencies_.tenants[item].begin(), dependencies_.tenants[item].end(), std::back_inserter(watched), waits);
   for (int tries = watched.empty() ? 1 : kTriesWhereWatched; tries > 0; --tries) {
     if (!settle_once(item, budget)) return false;
-    const auto fits = [&](int tenant) {
+    const auto fits = [&](ItemId tenant) {
       const bool found = settle_once(tenant, budget);
       placements_[tenant] = {};
       return found;
@@ -165,9 +165,9 @@ bool QuickSearch::settle(int item, Budget& budget) {
 }
 
 // The first free position of a sweep from one of the region's corners.
-bool QuickSearch::settle_once(int item, Budget& budget) {
+bool QuickSearch::settle_once(ItemId item, Budget& budget) {
   const auto& tenants = dependencies_.tenants[item];
-  const bool failed_before = weight_[item] > 0 || std::any_of(tenants.begin(), tenants.end(), [&](int t) { return weight_[t] > 0; });
+  const bool failed_before = weight_[item] > 0 || std::any_of(tenants.begin(), tenants.end(), [&](ItemId t) { return weight_[t] > 0; });
   const Obstacles::Sweep how{static_cast<int>(random_.below(2)), {random_.below(2) == 0, random_.below(2) == 0}};
   for (const int state : states_in_turn(item)) {
     const std::vector<Region>& regions = regions_.find(placements_, item, state, false);
@@ -183,8 +183,8 @@ bool QuickSearch::settle_once(int item, Budget& budget) {
   return false;
 }
 
-void QuickSearch::take_out(int item, std::vector<int>& pending) {
-  std::vector<int> group;
+void QuickSearch::take_out(ItemId item, std::vector<ItemId>& pending) {
+  std::vector<ItemId> group;
   group_of(dependencies_, placements_, item, group);
   for (std::size_t i = group.size(); i-- > 0;) {  // hosts last, so that they are taken up first
     if (stays(model_.items[group[i]])) continue;
@@ -194,10 +194,10 @@ void QuickSearch::take_out(int item, std::vector<int>& pending) {
 }
 
 // What it refers to, what that refers to, and so on.
-std::vector<int> QuickSearch::all_hosts(int item) const {
-  std::vector<int> all = dependencies_.hosts[item];
+std::vector<ItemId> QuickSearch::all_hosts(ItemId item) const {
+  std::vector<ItemId> all = dependencies_.hosts[item];
   for (std::size_t i = 0; i < all.size(); ++i) {
-    for (const int host : dependencies_.hosts[all[i]]) {
+    for (const ItemId host : dependencies_.hosts[all[i]]) {
       if (host != item && std::find(all.begin(), all.end(), host) == all.end()) all.push_back(host);
     }
   }

@@ -21,24 +21,24 @@ class QuickSearch {
   bool complete(Placements& placements, Budget& budget);
 
   // Those without a place in the best try.
-  const std::vector<int>& failed() const { return failed_; }
+  const std::vector<ItemId>& failed() const { return failed_; }
 
  private:
   void note_failed(const Placements& placements);
-  bool attempt(std::vector<int> pending, Budget& budget);
-  int next_of(std::vector<int>& pending) const;
-  bool settle(int item, Budget& budget);
-  bool settle_once(int item, Budget& budget);
-  bool push_out(int item, std::vector<int>& pending, Budget& budget);
+  bool attempt(std::vector<ItemId> pending, Budget& budget);
+  ItemId next_of(std::vector<ItemId>& pending) const;
+  bool settle(ItemId item, Budget& budget);
+  bool settle_once(ItemId item, Budget& budget);
+  bool push_out(ItemId item, std::vector<ItemId>& pending, Budget& budget);
   class Prices;
   struct Push;
   void coordinates_of(const Region& region, int axis, std::vector<Mm>& tried);
   void try_to_push(const Region& region, int state, const Vec3& at, Prices& prices, Push& push);
-  std::vector<int> all_hosts(int item) const;
-  bool take_hosts(int item, std::vector<int>& pending);
-  void take_out(int item, std::vector<int>& pending);
+  std::vector<ItemId> all_hosts(ItemId item) const;
+  bool take_hosts(ItemId item, std::vector<ItemId>& pending);
+  void take_out(ItemId item, std::vector<ItemId>& pending);
   bool somewhere(const Region& region, Vec3& at);
-  const std::vector<int>& states_in_turn(int item);
+  const std::vector<int>& states_in_turn(ItemId item);
 
   const PlacementModel& model_;
   const Dependencies& dependencies_;
@@ -46,11 +46,11 @@ class QuickSearch {
   Random random_;
   int most_size_step_;
   Placements placements_;
-  std::vector<int> weight_;  // how often an item found no place
+  ById<ItemId, int> weight_;  // how often an item found no place
   int attempts_ = 0;
-  std::vector<int> failed_;
+  std::vector<ItemId> failed_;
   Obstacles obstacles_;
-  std::vector<std::vector<std::uint64_t>> alike_;  // by item and state: the states that make no difference
+  ById<ItemId, std::vector<std::uint64_t>> alike_;  // by state: the states that make no difference
   std::vector<int> turns_;
 };
 

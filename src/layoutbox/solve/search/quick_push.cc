@@ -11,34 +11,35 @@ constexpr std::size_t kMostCoordinates = 14;
 // What it costs to push others out of the way, asked for as it is needed.
 class QuickSearch::Prices {
  public:
-  Prices(const QuickSearch& search, int item) : search_(search), prices_(search.placements_.size(), kUnknown) {
-    for (const int other : search.all_hosts(item)) prices_[other] = kNever;
+  Prices(const QuickSearch& search, ItemId item) : search_(search), prices_(search.placements_.size(), kUnknown) {
+    for (const ItemId other : search.all_hosts(item)) prices_[other] = kNever;
   }
 
   // Less than 0: it is not to be pushed.
-  int of(int other) {
+  int of(ItemId other) {
     int& price = prices_[other];
     if (price != kUnknown) return price;
     price = kNever;
     if (stays(search_.model_.items[other])) return price;
     group_of(search_.dependencies_, search_.placements_, other, group_);
     price = 0;
-    for (const int member : group_) price += 1 + search_.weight_[member];
+    for (const ItemId member : group_) price += 1 + search_.weight_[member];
     return price;
   }
 
  private:
   static constexpr int kUnknown = -2, kNever = -1;
   const QuickSearch& search_;
-  std::vector<int> prices_, group_;
+  ById<ItemId, int> prices_;
+  std::vector<ItemId> group_;
 };
 
 // The cheapest place to push others from, so far.
 struct QuickSearch::Push {
   Placement best;
   std::int64_t least = std::numeric_limits<std::int64_t>::max();
-  std::vector<int> hit, best_hit;
-  std::vector<int> seen;  // by item: the position at which it was counted last
+  std::vector<ItemId> hit, best_hit;
+  ById<ItemId, int> seen;  // the position at which it was counted last
   int stamp = 0;
 };
 
@@ -63,8 +64,8 @@ void QuickSearch::try_to_push(const Region& region, int state, const Vec3& at, P
   push.hit.clear();
   std::int64_t sum = random_.below(2);  // of equals now this one, now that
   for (const Obstacles::Forbidden& f : obstacles_.all()) {
-    if (!obstacles_.holds(f, at) || (f.owner >= 0 && push.seen[f.owner] == push.stamp)) continue;
-    if (f.owner < 0 || prices.of(f.owner) < 0) return;
+    if (!obstacles_.holds(f, at) || (f.owner.exists() && push.seen[f.owner] == push.stamp)) continue;
+    if (!f.owner.exists() || prices.of(f.owner) < 0) return;
     push.seen[f.owner] = push.stamp;
     push.hit.push_back(f.owner);
     sum += 2 * std::int64_t{prices.of(f.owner)};
@@ -75,7 +76,7 @@ void QuickSearch::try_to_push(const Region& region, int state, const Vec3& at, P
 }
 
 // Where it pushes out what has failed least often.
-bool QuickSearch::push_out(int item, std::vector<int>& pending, Budget& budget) {
+bool QuickSearch::push_out(ItemId item, std::vector<ItemId>& pending, Budget& budget) {
   Prices prices(*this, item);
   Push push;
   push.seen.assign(placements_.size(), 0);
@@ -95,16 +96,16 @@ bool QuickSearch::push_out(int item, std::vector<int>& pending, Budget& budget) 
   }
   if (push.best.state < 0) return false;
   placements_[item] = push.best;
-  for (const int other : push.best_hit) take_out(other, pending);
+  for (const ItemId other : push.best_hit) take_out(other, pending);
   return true;
 }
 
 // What it refers to stands where it cannot follow: that looks for another place, before it.
-bool QuickSearch::take_hosts(int item, std::vector<int>& pending) {
+bool QuickSearch::take_hosts(ItemId item, std::vector<ItemId>& pending) {
   bool any = false;
-  const std::vector<int> hosts = random_.below(2) == 0 ? dependencies_.hosts[item] : all_hosts(item);
+  const std::vector<ItemId> hosts = random_.below(2) == 0 ? dependencies_.hosts[item] : all_hosts(item);
   pending.push_back(item);
-  for (const int host : hosts) {
+  for (const ItemId host : hosts) {
     if (placements_[host].state < 0 || stays(model_.items[host])) continue;
     ++weight_[host];
     take_out(host, pending);

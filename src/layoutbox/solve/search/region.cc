@@ -27,8 +27,8 @@ std::int64_t most_of(const Item& item, const Domain& domain, const Term& term) {
 
 }  // namespace
 
-Partial partial_of(const PlacementModel& model, const Placements& placements, const std::vector<Domain>& domains, const Linear& form,
-                   int item, int state) {
+Partial partial_of(const PlacementModel& model, const Placements& placements, const ById<ItemId, Domain>& domains, const Linear& form,
+                   ItemId item, int state) {
   Partial p;
   p.constant = form.constant;
   p.scale = form.scale;
@@ -71,10 +71,10 @@ void RegionFinder::share_out() {
       Shares& shares = shares_[{c, static_cast<int>(f)}];
       shares.forms.resize(model_.items.size());
       shares.wishes.resize(model_.items.size());
-      const auto note = [](const Linear& form, std::size_t number, std::vector<std::vector<int>>& by_item) {
+      const auto note = [](const Linear& form, std::size_t number, ById<ItemId, std::vector<std::size_t>>& by_item) {
         for (const Term& term : form.terms) {
-          std::vector<int>& own = by_item[static_cast<std::size_t>(term.item)];
-          if (own.empty() || own.back() != static_cast<int>(number)) own.push_back(static_cast<int>(number));
+          std::vector<std::size_t>& own = by_item[term.item];
+          if (own.empty() || own.back() != number) own.push_back(number);
         }
       };
       for (std::size_t i = 0; i < one.at_least_zero.size(); ++i) note(one.at_least_zero[i], i, shares.forms);
@@ -91,7 +91,7 @@ bool RegionFinder::toil(std::size_t more) {
 }
 
 // Something that must hold speaks of it and of something else.
-bool RegionFinder::is_linked(int item) const {
+bool RegionFinder::is_linked(ItemId item) const {
   if (model_.items[item].fixed) return false;
   return std::any_of(model_.touching[item].begin(), model_.touching[item].end(), [&](ConstraintId c) {
     const auto& formulas = model_.constraints[c].formulas;
@@ -117,8 +117,8 @@ Domain RegionFinder::widest_domain(const Item& item) const {
 }
 
 // What the constraints leave while nothing stands; as before where they leave nothing.
-Domain RegionFinder::narrower_domain(int item, const Placements& nowhere) {
-  Domain all = domains_[static_cast<std::size_t>(item)];
+Domain RegionFinder::narrower_domain(ItemId item, const Placements& nowhere) {
+  Domain all = domains_[item];
   bool any = false;
   const std::vector<State>& states = model_.items[item].states;
   for (std::size_t s = 0; s < states.size(); ++s) {
@@ -140,10 +140,11 @@ void RegionFinder::narrow_domains() {
   const Placements nowhere(model_.items.size());
   Budget own{0, 0, budget_->stop, budget_->stopped};
   Budget* const of_search = std::exchange(budget_, &own);
-  std::vector<char> left_out = std::exchange(scope_.left_out, {});
+  ById<ItemId, char> left_out = std::exchange(scope_.left_out, {});
   for (int round = 0; round < kNarrowings; ++round) {
-    for (std::size_t i = 0; i < domains_.size() && own.work <= kMostNarrowing && !own.stopped; ++i) {
-      if (is_linked(static_cast<int>(i))) domains_[i] = narrower_domain(static_cast<int>(i), nowhere);
+    for (const ItemId i : domains_.ids()) {
+      if (own.work > kMostNarrowing || own.stopped) break;
+      if (is_linked(i)) domains_[i] = narrower_domain(i, nowhere);
     }
   }
   scope_.left_out = std::move(left_out);
@@ -156,7 +157,7 @@ bool RegionFinder::enforced(ConstraintId constraint) const {
   return !scope_.gives_up(constraint) && model_.constraints[constraint].firmness != Firmness::kSoft;
 }
 
-bool RegionFinder::reduce(const Placements& placements, const Case& one, int item, int state, bool with_wishes, const Shares* shares,
+bool RegionFinder::reduce(const Placements& placements, const Case& one, ItemId item, int state, bool with_wishes, const Shares* shares,
                           Reduced& out) const {
   out.price = one.price * kPoint;
   for (const StateLiteral& literal : one.states) {
@@ -165,9 +166,9 @@ bool RegionFinder::reduce(const Placements& placements, const Case& one, int ite
     if (s >= 0 && !(literal.states >> s & 1)) return false;
   }
   const auto is_out = [&](const Term& term) { return scope_.leaves_out(term.item); };
-  const std::vector<int>* forms = shares ? &shares->forms[static_cast<std::size_t>(item)] : nullptr;
+  const std::vector<std::size_t>* forms = shares ? &shares->forms[item] : nullptr;
   for (std::size_t i = 0; i < (forms ? forms->size() : one.at_least_zero.size()); ++i) {
-    const Linear& form = one.at_least_zero[forms ? static_cast<std::size_t>((*forms)[i]) : i];
+    const Linear& form = one.at_least_zero[forms ? (*forms)[i] : i];
     if (std::any_of(form.terms.begin(), form.terms.end(), is_out)) return false;
     const Partial p = partial_of(model_, placements, domains_, form, item, state);
     const int axis = p.axis();
@@ -188,9 +189,9 @@ bool RegionFinder::reduce(const Placements& placements, const Case& one, int ite
     if (out.lo[axis] > out.hi[axis]) return false;
   }
   if (!with_wishes) return true;
-  const std::vector<int>* wishes = shares ? &shares->wishes[static_cast<std::size_t>(item)] : nullptr;
+  const std::vector<std::size_t>* wishes = shares ? &shares->wishes[item] : nullptr;
   for (std::size_t i = 0; i < (wishes ? wishes->size() : one.wishes.size()); ++i) {
-    const Preference& wish = one.wishes[wishes ? static_cast<std::size_t>((*wishes)[i]) : i];
+    const Preference& wish = one.wishes[wishes ? (*wishes)[i] : i];
     const Partial p = partial_of(model_, placements, domains_, wish.form, item, state);
     if (!p.unknown) out.wishes.push_back({p, wish.weight, wish.scale});
   }
@@ -203,7 +204,7 @@ std::vector<Reduced>& RegionFinder::next_pool() {
   return pool_[pools_];
 }
 
-const std::vector<Region>& RegionFinder::find(const Placements& placements, int item, int state, bool with_wishes) {
+const std::vector<Region>& RegionFinder::find(const Placements& placements, ItemId item, int state, bool with_wishes) {
   pools_ = 0;
   regions_.clear();
   for (const ConstraintId c : model_.touching[item]) {
@@ -214,7 +215,7 @@ const std::vector<Region>& RegionFinder::find(const Placements& placements, int 
       if (!speaks) continue;
       const auto found = shares_.find({c, static_cast<int>(f)});
       const Shares* shares = found == shares_.end() ? nullptr : &found->second;
-      if (!toil(shares ? 1 + shares->forms[static_cast<std::size_t>(item)].size() : formula.cases.size())) return regions_;
+      if (!toil(shares ? 1 + shares->forms[item].size() : formula.cases.size())) return regions_;
       std::vector<Reduced>& cases = next_pool();
       for (const Case& one : formula.cases) {
         if (!reduce(placements, one, item, state, with_wishes, shares, cases.emplace_back())) cases.pop_back();

@@ -20,8 +20,8 @@ struct Domain {
 };
 
 // REQUIRES: state is one of the item's. What is not placed counts as much as its domain allows.
-Partial partial_of(const PlacementModel& model, const Placements& placements, const std::vector<Domain>& domains, const Linear& form,
-                   int item, int state);
+Partial partial_of(const PlacementModel& model, const Placements& placements, const ById<ItemId, Domain>& domains, const Linear& form,
+                   ItemId item, int state);
 
 class RegionFinder {
  public:
@@ -36,23 +36,23 @@ class RegionFinder {
   // Is the constraint before the doors and windows given up for this opening?
   bool clearance_off(const Item& item) const { return scope_.gives_up(item.clearance_constraint); }
 
-  const std::vector<Domain>& domains() const { return domains_; }
+  const ById<ItemId, Domain>& domains() const { return domains_; }
 
   // Good until the next call. The item itself is taken as not placed; what is not placed yet binds as far as its domain does.
-  const std::vector<Region>& find(const Placements& placements, int item, int state, bool with_wishes = true);
+  const std::vector<Region>& find(const Placements& placements, ItemId item, int state, bool with_wishes = true);
 
  private:
   // What of a case speaks of an item: numbers of its forms and wishes.
   struct Shares {
-    std::vector<std::vector<int>> forms, wishes;  // by item
+    ById<ItemId, std::vector<std::size_t>> forms, wishes;
   };
-  bool reduce(const Placements& placements, const Case& one, int item, int state, bool with_wishes, const Shares* shares,
+  bool reduce(const Placements& placements, const Case& one, ItemId item, int state, bool with_wishes, const Shares* shares,
               Reduced& out) const;
   void share_out();
   bool toil(std::size_t more);
-  bool is_linked(int item) const;
+  bool is_linked(ItemId item) const;
   Domain widest_domain(const Item& item) const;
-  Domain narrower_domain(int item, const Placements& nowhere);
+  Domain narrower_domain(ItemId item, const Placements& nowhere);
   void narrow_domains();
   void descend(std::size_t depth, const Region& region, int& nodes);
   std::vector<Reduced>& next_pool();
@@ -60,7 +60,7 @@ class RegionFinder {
   const PlacementModel& model_;
   Scope scope_;
   int most_size_step_;
-  std::vector<Domain> domains_;
+  ById<ItemId, Domain> domains_;
   std::map<std::pair<ConstraintId, int>, Shares> shares_;  // of formulas with one long case, by constraint and formula
   Budget* budget_ = nullptr;
   bool narrowed_ = false;  // the domains, which takes time: not before there is a budget

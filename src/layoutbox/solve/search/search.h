@@ -44,59 +44,60 @@ class Search {
   const Placements& placements() const { return placements_; }
   void adopt(const Placements& placements) { placements_ = placements; }
   // Items that could not be placed in the best try.
-  const std::vector<int>& failed() const { return failed_; }
+  const std::vector<ItemId>& failed() const { return failed_; }
 
  private:
-  bool is_out(int item) const { return finder_.scope().leaves_out(item); }
-  std::vector<int> order(const std::vector<int>& bonus) const { return placing_order(model_, dependencies_, finder_.scope(), bonus); }
-  bool try_order(const std::vector<int>& order, std::int64_t noise, Budget& budget);
-  std::vector<int> movable() const;
-  std::vector<std::vector<int>> formations() const;
+  bool is_out(ItemId item) const { return finder_.scope().leaves_out(item); }
+  std::vector<ItemId> order(const ById<ItemId, int>& bonus) const { return placing_order(model_, dependencies_, finder_.scope(), bonus); }
+  bool try_order(const std::vector<ItemId>& order, std::int64_t noise, Budget& budget);
+  std::vector<ItemId> movable() const;
+  std::vector<std::vector<ItemId>> formations() const;
   bool form_from_nothing(const std::vector<ConstraintId>& places, std::size_t way);
   bool form_all(std::size_t fewest, std::size_t way);
-  bool try_start(const std::vector<int>& order, Budget& budget);
+  bool try_start(const std::vector<ItemId>& order, Budget& budget);
   // Which case of its places a formation takes, and how far off them all of it stands.
   struct Way {
     std::size_t looking = 0;
     std::array<Mm, 2> off{};
   };
   bool form_up(const std::vector<ConstraintId>& places, const Way& way, Budget& budget);
-  bool step_into_place(ConstraintId constraint, const Way& way, const std::vector<int>& members, std::vector<int>& moved,
-                       std::vector<int>& loose);
-  std::vector<int> followers_of(int item, const std::vector<int>& members) const;
-  bool slide(int item, Budget& budget);
-  bool push_away(std::vector<int>& moved, std::vector<int> in_way, const std::vector<std::int64_t>& price);
-  bool may_stay(int item, const Placement& placement) const;
-  bool may_stay(const std::vector<int>& group, Budget& budget) const;
-  bool is_free(int item, const Placement& placement) const;
-  bool place(int item, std::int64_t noise, Budget& budget);
-  bool watched_fit(int item, Budget& budget);
+  bool step_into_place(ConstraintId constraint, const Way& way, const std::vector<ItemId>& members, std::vector<ItemId>& moved,
+                       std::vector<ItemId>& loose);
+  std::vector<ItemId> followers_of(ItemId item, const std::vector<ItemId>& members) const;
+  bool slide(ItemId item, Budget& budget);
+  bool push_away(std::vector<ItemId>& moved, std::vector<ItemId> in_way, const ById<ItemId, std::int64_t>& price);
+  bool may_stay(ItemId item, const Placement& placement) const;
+  bool may_stay(const std::vector<ItemId>& group, Budget& budget) const;
+  bool is_free(ItemId item, const Placement& placement) const;
+  bool place(ItemId item, std::int64_t noise, Budget& budget);
+  bool watched_fit(ItemId item, Budget& budget);
   bool repair(Budget& budget);
-  void take_out(int item, std::vector<int>& queue);
-  bool move(const std::vector<int>& group, std::int64_t noise, Budget& budget);
-  std::vector<int> load_of(int item) const;
-  void gather_group(int item, const std::vector<int>& movable, std::vector<int>& group);
-  bool sweep_step(int item, Budget& budget);
-  std::optional<bool> chance_step(int item, const std::vector<int>& movable, const std::vector<std::vector<int>>& together, Budget& budget);
-  bool push(int item, Budget& budget);
-  std::vector<int> cluster_of(int item);
-  std::vector<int> company_of(int item) const;
-  bool shift(const std::vector<int>& cluster, int axis, Mm by, std::int64_t least_gain, Budget& budget);
-  bool nudge(int item, Budget& budget);
-  bool nudge_all(const std::vector<int>& cluster, std::int64_t least_gain, Budget& budget);
+  void take_out(ItemId item, std::vector<ItemId>& queue);
+  bool move(const std::vector<ItemId>& group, std::int64_t noise, Budget& budget);
+  std::vector<ItemId> load_of(ItemId item) const;
+  void gather_group(ItemId item, const std::vector<ItemId>& movable, std::vector<ItemId>& group);
+  bool sweep_step(ItemId item, Budget& budget);
+  std::optional<bool> chance_step(ItemId item, const std::vector<ItemId>& movable, const std::vector<std::vector<ItemId>>& together,
+                                  Budget& budget);
+  bool push(ItemId item, Budget& budget);
+  std::vector<ItemId> cluster_of(ItemId item);
+  std::vector<ItemId> company_of(ItemId item) const;
+  bool shift(const std::vector<ItemId>& cluster, int axis, Mm by, std::int64_t least_gain, Budget& budget);
+  bool nudge(ItemId item, Budget& budget);
+  bool nudge_all(const std::vector<ItemId>& cluster, std::int64_t least_gain, Budget& budget);
   void settle(Budget& budget);
-  bool are_tied(const std::vector<int>& a, const std::vector<int>& b) const;
-  bool is_better(const Placements& before, const std::vector<int>& moved, Budget& budget, std::int64_t least_gain = kLeastGain);
+  bool are_tied(const std::vector<ItemId>& a, const std::vector<ItemId>& b) const;
+  bool is_better(const Placements& before, const std::vector<ItemId>& moved, Budget& budget, std::int64_t least_gain = kLeastGain);
 
   const PlacementModel& model_;
   CandidateFinder finder_;
   Random random_;
   int most_size_step_;
   Placements placements_;
-  std::vector<int> failed_;
-  std::int64_t late_ = 0;   // what is measured last costs so much as things stand, while improving
-  KnownCosts known_;        // of what many moves start from
-  std::vector<int> bonus_;  // how often an item failed
+  std::vector<ItemId> failed_;
+  std::int64_t late_ = 0;    // what is measured last costs so much as things stand, while improving
+  KnownCosts known_;         // of what many moves start from
+  ById<ItemId, int> bonus_;  // how often an item failed
   Dependencies dependencies_;
 };
 

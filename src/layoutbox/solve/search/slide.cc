@@ -26,14 +26,14 @@ Vec3 way_out(const GridBox& box, const GridBox& from, const GridBox& room) {
 }  // namespace
 
 // Pushes everything that `moved` stands in out of its way, and so on. False: something does not give way.
-bool Search::push_away(std::vector<int>& moved, std::vector<int> in_way, const std::vector<std::int64_t>& price) {
-  std::vector<int> group, hit;
+bool Search::push_away(std::vector<ItemId>& moved, std::vector<ItemId> in_way, const ById<ItemId, std::int64_t>& price) {
+  std::vector<ItemId> group, hit;
   for (std::size_t k = 0; k < in_way.size(); ++k) {
-    const int other = in_way[k];
+    const ItemId other = in_way[k];
     if (k >= kMostPushed || placements_[other].state < 0) return false;
     const GridBox box = box_of(model_.items[other], placements_[other]);
     Vec3 by{};
-    for (const int pusher : moved) {
+    for (const ItemId pusher : moved) {
       if (pusher == other || !collide(model_, pusher, placements_[pusher], other, placements_[other], true)) continue;
       by = way_out(box, box_of(model_.items[pusher], placements_[pusher]), model_.room);
       if (by == Vec3{}) return false;
@@ -41,23 +41,23 @@ bool Search::push_away(std::vector<int>& moved, std::vector<int> in_way, const s
     }
     if (by == Vec3{}) continue;  // it has been pushed on already
     group_of(dependencies_, placements_, other, group);
-    for (const int member : group) {  // what hangs on it goes with it
+    for (const ItemId member : group) {  // what hangs on it goes with it
       if (stays(model_.items[member])) return false;
       for (int axis = 0; axis < 2; ++axis) placements_[member].at[axis] += by[axis];
       if (std::find(moved.begin(), moved.end(), member) == moved.end()) moved.push_back(member);
     }
-    for (const int member : group) {
+    for (const ItemId member : group) {
       if (!finder_.collisions(placements_, member, placements_[member], price, hit)) return false;
       in_way.insert(in_way.end(), hit.begin(), hit.end());
     }
   }
-  return std::all_of(moved.begin(), moved.end(), [&](int item) { return may_stay(item, placements_[item]); });
+  return std::all_of(moved.begin(), moved.end(), [&](ItemId item) { return may_stay(item, placements_[item]); });
 }
 
-bool Search::slide(int item, Budget& budget) {
+bool Search::slide(ItemId item, Budget& budget) {
   const Placements before = placements_;
-  std::vector<std::int64_t> price(model_.items.size(), kPushed);
-  for (std::size_t i = 0; i < price.size(); ++i) {
+  ById<ItemId, std::int64_t> price(model_.items.size(), kPushed);
+  for (const ItemId i : price.ids()) {
     if (stays(model_.items[i]) || model_.items[i].is_opening()) price[i] = -1;
   }
   CandidateOptions options;
@@ -69,7 +69,7 @@ bool Search::slide(int item, Budget& budget) {
   for (const Candidate& candidate : found) {
     placements_ = before;
     placements_[item] = candidate.placement;
-    std::vector<int> moved;
+    std::vector<ItemId> moved;
     group_of(dependencies_, before, item, moved);
     if (moved.size() > 1 && candidate.placement.state != before[item].state) continue;
     for (std::size_t k = 1; k < moved.size(); ++k) {  // what hangs on it goes with it
