@@ -7,7 +7,7 @@
 namespace layoutbox::offline {
 
 std::optional<PlaceSaid> BanPlaces::place_at(std::size_t i) const {
-  while (is(i, WordSet::kPlaceArticles)) ++i;
+  i = past(i, WordSet::kPlaceArticles);
   if (lexicon_.find(tokens_, i, WordClass::kWindow).length > 0 || is(i, {"windows"})) return opening("window", i);
   if (lexicon_.find(tokens_, i, WordClass::kDoor).length > 0 || is(i, {"doors"})) return opening("door", i);
   if (is(i, {"center", "middle"})) return middle(i);
@@ -51,7 +51,7 @@ std::optional<PlaceSaid> BanPlaces::opening(std::string_view type, std::size_t i
 }
 
 std::vector<Side> BanPlaces::sides_at(std::size_t& i) const {
-  while (is(i, WordSet::kSideArticles)) ++i;
+  i = past(i, WordSet::kSideArticles);
   std::vector<Side> sides;
   if (is(i, {"left"})) sides = {Side::kLeft};
   if (is(i, {"right"})) sides = {Side::kRight};

@@ -79,9 +79,9 @@ class BanReader : public BanPlaces {
     } else {
       return false;
     }
-    while (is(at, WordSet::kStanding)) ++at;
+    at = past(at, WordSet::kStanding);
     const std::size_t from = at;
-    while (is(at, WordSet::kBeforeBannedPlaces)) ++at;
+    at = past(at, WordSet::kBeforeBannedPlaces);
     const std::optional<PlaceSaid> place = at > from ? place_at(at) : std::nullopt;
     if (!place || !is_over(place->last)) return false;
     take(place->ban, i, place->last);
@@ -103,7 +103,7 @@ class BanReader : public BanPlaces {
     const std::optional<PlaceSaid> place = place_at(i + (is(i, {"with"}) ? 1 : 0));
     if (!place || is(place->last - 1, {"side"})) return false;  // "the right side clear": of a thing
     std::size_t at = place->last;
-    while (is(at, WordSet::kStayingFree)) ++at;
+    at = past(at, WordSet::kStayingFree);
     if (!is(at, WordSet::kFree) || !is_over(at + 1)) return false;
     take(place->ban, i, at + 1);
     return true;
@@ -133,13 +133,13 @@ class BanReader : public BanPlaces {
   bool read_side(std::size_t i) {
     if (!is(i, WordSet::kOpeningSides)) return false;
     std::size_t at = i;
-    while (is(at, WordSet::kBeforeSides)) ++at;
+    at = past(at, WordSet::kBeforeSides);
     Ban ban;
     ban.kind = Ban::Kind::kFreeSide;
     ban.depth = kUsualSide;
     ban.sides = sides_at(at);
     if (ban.sides.empty() || !read_of(at, ban)) return false;
-    while (is(at, WordSet::kStayingFree)) ++at;
+    at = past(at, WordSet::kStayingFree);
     if (!is(at, WordSet::kFree) && !is(at, {"accessible", "reachable"})) return false;
     if (!is_over(at + 1)) return false;
     take(std::move(ban), i, at + 1);
@@ -161,7 +161,7 @@ class BanReader : public BanPlaces {
 
   // A length: "1.5 m", "a metre", "90 cm".
   std::optional<double> length_at(std::size_t& i) const {
-    while (is(i, WordSet::kBeforeLengths)) ++i;
+    i = past(i, WordSet::kBeforeLengths);
     const bool one = is(i, {"a", "one"});
     const NumberRead number = read_number(lexicon_, tokens_, i);
     const std::size_t unit = i + std::max<std::size_t>(number.length, one ? 1 : 0);
@@ -181,7 +181,7 @@ class BanReader : public BanPlaces {
     ban.kind = Ban::Kind::kFreeSide;
     ban.depth = *length;
     const std::size_t said = at;
-    while (is(at, WordSet::kFreeFloor)) ++at;
+    at = past(at, WordSet::kFreeFloor);
     const bool free = at > said;
     std::size_t side = at;
     if (is(side, {"on", "at", "along"})) ++side;
@@ -208,7 +208,7 @@ class BanReader : public BanPlaces {
   bool read_plain_room_round(std::size_t i) {
     if (!is(i, {"space", "room"})) return false;
     std::size_t at = i + 1;
-    while (is(at, WordSet::kGoingRound)) ++at;
+    at = past(at, WordSet::kGoingRound);
     if (is(at, {"all"}) && is(at + 1, {"the"}) && is(at + 2, {"way"})) at += 2;
     const bool all = is(at, {"all", "way"});
     if (all) ++at;

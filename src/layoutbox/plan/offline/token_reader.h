@@ -25,6 +25,12 @@ class TokenReader {
     return at < tokens_.size() && std::ranges::find(words, std::string_view(tokens_[at].text)) != words.end();
   }
   bool is(std::size_t at, WordSet set) const { return at < tokens_.size() && one_of(tokens_[at].text, set); }
+  // Past a few words of the set: more in a row are no sentence, and would be looked at again from each of them.
+  std::size_t past(std::size_t at, WordSet set) const {
+    constexpr std::size_t kMost = 8;
+    for (std::size_t n = 0; n < kMost && is(at, set); ++n) ++at;
+    return at;
+  }
   // All of them do, one after the other.
   bool are(std::size_t at, Words words) const { return stand_at(tokens_, at, words); }
   // An article, "my", or a number.

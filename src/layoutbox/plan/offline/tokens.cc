@@ -220,9 +220,11 @@ class Tokenizer {
   bool take_leader(const Letter& first, Token& token) {
     constexpr std::size_t kFewest = 3;
     const bool ellipsis = first.value == '.' && first.size > 1;
+    const bool goes_on = at_ > 0 && prompt_[at_ - 1] == first.value;  // its first one was looked at
+    if ((first.value != '.' && first.value != '_') || goes_on) return false;
     std::size_t end = at_;
     while (end < prompt_.size() && letter_at(prompt_, end).value == first.value) end += letter_at(prompt_, end).size;
-    if ((first.value != '.' && first.value != '_') || (end - at_ < kFewest && !ellipsis)) return false;
+    if (end - at_ < kFewest && !ellipsis) return false;
     std::size_t next = end;
     while (next < prompt_.size() && prompt_[next] == ' ') ++next;
     if (next >= prompt_.size() || !(digit_at(next) || (prompt_[next] >= 'a' && prompt_[next] <= 'z'))) return false;
