@@ -333,6 +333,7 @@ NounPhraseReader::Opening NounPhraseReader::read_article() {
   }
   if (take(WordClass::kDefinite, Determiner::kDefinite)) return Opening::kGoesOn;
   if (take(WordClass::kPossessive, Determiner::kPossessive)) {
+    if (tokens_[i_ - 1].contrasted) phrase_.owner_word = tokens_[i_ - 1].text;
     if (at_word("own")) i_ += 1, phrase_.determiner = Determiner::kIndefinite;  // "each has its own locker"
     return Opening::kGoesOn;
   }

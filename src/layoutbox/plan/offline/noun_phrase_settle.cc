@@ -47,6 +47,7 @@ std::optional<NounPhrase> NounPhraseReader::settle_without_head() {
   if (phrase_.determiner == Determiner::kPossessive && i_ > phrase_.first + 1 && tokens_[i_ - 1].text == "twin") {
     phrase_.kind = NounKind::kMember;
     phrase_.determiner = Determiner::kAnother;
+    phrase_.head = "twin";
     phrase_.count = 0;
     phrase_.attributes.clear();
     phrase_.attribute_classes.clear();

@@ -54,8 +54,9 @@ bool NounPhraseReader::word_may_belong() const {
 
 // "the second bed", "the last one"
 bool NounPhraseReader::read_ordinal() {
-  static constexpr std::pair<std::string_view, int> kOrdinals[] = {{"first", 1},  {"1st", 1},   {"second", 2}, {"2nd", 2},  {"third", 3},
-                                                                   {"fourth", 4}, {"fifth", 5}, {"sixth", 6},  {"last", -1}};
+  static constexpr std::pair<std::string_view, int> kOrdinals[] = {
+      {"first", 1}, {"1st", 1},     {"second", 2}, {"2nd", 2},   {"third", 3},  {"fourth", 4}, {"fifth", 5},
+      {"sixth", 6}, {"seventh", 7}, {"eighth", 8}, {"ninth", 9}, {"tenth", 10}, {"last", -1}};
   if (!parts_.empty() || counted_ || phrase_.determiner != Determiner::kDefinite || hyphenated(i_ + 1)) return false;
   for (const auto& [word, place] : kOrdinals) {
     if (!at_word(word)) continue;

@@ -23,6 +23,7 @@
 #include "layoutbox/plan/offline/left_out.h"
 #include "layoutbox/plan/offline/linings.h"
 #include "layoutbox/plan/offline/object_size.h"
+#include "layoutbox/plan/offline/owners.h"
 #include "layoutbox/plan/offline/people.h"
 #include "layoutbox/plan/offline/purposes.h"
 #include "layoutbox/plan/offline/relation_builder.h"
@@ -80,6 +81,7 @@ class OfflinePlanner final : public Planner {
                   "give a size such as 4 x 3 x 2.5 m");
     }
     const std::vector<std::size_t> room_size_at = begins_of(document.readings, skip);
+    read_owners(lexicon_, document, skip);
     part_runs(lexicon_, document, skip);
     read_examples(lexicon_, document, skip);
     complete_wall_lists(lexicon_, document, skip);

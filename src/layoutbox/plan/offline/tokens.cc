@@ -144,8 +144,7 @@ class Tokenizer {
       at_ += letter.size;
     }
     token.text = american_spelling(std::move(token.text));
-    if (stands_for_one(token.text)) token.text = tokens_.empty() || tokens_.back().text != "one" ? "one" : "else";  // "one mine, one hers"
-    if (token.text == "round" && !tokens_.empty() && tokens_.back().text == "all") token.text = "around";           // "chairs all round"
+    if (token.text == "round" && !tokens_.empty() && tokens_.back().text == "all") token.text = "around";  // "chairs all round"
   }
 
   // "a 3D printer", "a 2D map": one word, no count.
@@ -158,17 +157,6 @@ class Tokenizer {
     number.number = 0;
     number.end = at_;
     return true;
-  }
-
-  // "…, mine has a lamp", "his chair on the left and hers on the right": one of what was named. Not "a gold mine", "a friend of mine".
-  bool stands_for_one(std::string_view word) const {
-    static constexpr std::string_view kWhose[] = {"mine", "ours", "yours", "hers", "theirs"};
-    if (std::find(std::begin(kWhose), std::end(kWhose), word) == std::end(kWhose)) return false;
-    if (tokens_.empty() || tokens_.back().kind == Token::Kind::kPunctuation) return true;
-    static constexpr std::string_view kBefore[] = {"and",     "one",     "by",   "from", "to",    "opposite", "beside", "behind", "near",
-                                                   "beneath", "between", "with", "than", "above", "below",    "under",  "against"};
-    const std::string& before = tokens_.back().text;
-    return before.ends_with("ing") || std::find(std::begin(kBefore), std::end(kBefore), before) != std::end(kBefore);
   }
 
   // Neither letter nor digit. Whether it makes a token of its own.

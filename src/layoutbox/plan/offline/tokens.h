@@ -16,6 +16,7 @@ struct Token {
   bool glued = false;          // no space before it, as "size" in "king-size" (the hyphen is left out)
   bool capital = false;        // written with a capital letter
   bool ends_sentence = false;  // on punctuation
+  bool contrasted = false;     // of "her", where the like is somebody else's as well
 };
 
 // Splits a prompt. Hyphens within a word and possessive apostrophes part it ("bed's" → bed, 's). REQUIRES: valid UTF-8.

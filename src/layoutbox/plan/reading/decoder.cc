@@ -14,6 +14,7 @@ namespace {
 bool names_same(const NounPhrase& one, const NounPhrase& other, bool one_definite, bool other_definite) {
   if (!one.items.empty() && !other.items.empty()) return one.items == other.items;
   if (one.kind != NounKind::kObject || other.kind != NounKind::kObject || one.wall_word != other.wall_word) return false;
+  if (!one.owner_word.empty() && !other.owner_word.empty() && one.owner_word != other.owner_word) return false;
   const auto ends = [](const std::string& name, const std::string& word) { return name == word || name.ends_with(" " + word); };
   return (one_definite && ends(other.name, one.name)) || (other_definite && ends(one.name, other.name));
 }

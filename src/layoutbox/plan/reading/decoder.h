@@ -106,6 +106,7 @@ class Decoder {
   void member_actions(std::size_t s, int u);
   bool is_part_of_other(int u) const;
   void place_actions(std::size_t s, int u);
+  Referent meant_by_which_before(const State& state, int u) const;
   void relative_place_actions(std::size_t s, int u);
   void opening_place_actions(std::size_t s, int u);
   void first_place_actions(std::size_t s, int u);

@@ -42,7 +42,8 @@ double Decoder::antecedent_place_score(const State& state, Referent referent, Re
   if (subject >= 0 && referent == owner && over && noun != nullptr && (noun->head == "it" || (noun->head.empty() && first)))
     score += weight::kOwnHost;
   // "four armchairs before the fire, each with a lamp behind it"
-  const bool of_each = owner >= 0 && chunk(owner).noun.kind == NounKind::kMember && chunk(owner).noun.determiner == Determiner::kEach;
+  const bool of_each = owner >= 0 && chunk(owner).noun.determiner == Determiner::kEach &&
+                       (chunk(owner).noun.kind == NounKind::kMember || !target.is_plural());
   if (of_each && referent == owner && noun != nullptr && noun->head == "it") score += weight::kOnOwnHost;
   // "a cage with a parrot inside": in the cage.
   const bool inside = says(senses, RelationType::kIn) && noun != nullptr && noun->head.empty();

@@ -18,9 +18,16 @@ constexpr int kMentionsBack = 12;  // mentions of earlier sentences that are loo
 double number_score(const NounPhrase& noun, bool many) {
   const bool group = noun.kind == NounKind::kMember;
   const bool wanted = group || noun.plural || noun.determiner == Determiner::kBoth;
+  if (group && noun.head == "twin") return many ? weight::kNumber : 0;
   if (wanted && !many) return group ? weight::kNumber - 1 : weight::kNumber;
   if (!wanted && many) return noun.head.empty() ? -0.8 : weight::kNumber;
   return 0;
+}
+
+// "the third" of three shelves, not of two vases; else of two chairs a third.
+double rank_score(const NounPhrase& noun, int things) {
+  if (noun.kind != NounKind::kMember || noun.ordinal <= things || things < 1) return 0;
+  return noun.ordinal == things + 1 ? weight::kOneMore : weight::kUnlikely;
 }
 
 // "it"; "two windows, a radiator under each"
@@ -40,8 +47,8 @@ bool is_list_wanted(const NounPhrase* noun) {
 
 // "two crates, the blue one on the grey one": both are of the group.
 bool Decoder::is_of_one_group(const State& state, Referent group, Referent subject, const NounPhrase* noun) const {
-  return noun != nullptr && noun->kind == NounKind::kMember && !noun->plural && noun->count <= 1 && subject >= 0 &&
-         chunk(subject).noun.kind == NounKind::kMember && several(state, group);
+  return noun != nullptr && noun->kind == NounKind::kMember && !noun->plural && noun->count <= 1 && noun->determiner != Determiner::kEach &&
+         subject >= 0 && chunk(subject).noun.kind == NounKind::kMember && several(state, group);
 }
 
 // How many things that is, with all that is listed before it where a list is meant.
@@ -76,7 +83,8 @@ bool Decoder::consider(std::vector<Candidate>& all, const State& state, Referent
   const bool crowd = between && things_of(state, referent, list) > 2;
   double score = (crowd ? weight::kBetweenMany : 0) + weight::kOrder * order + (by_opening ? weight::kItIsOpening : opening ? -0.3 : 0);
   const bool heap = noun != nullptr && noun->plural && meant.collective;  // "a stack of plates, a jug beside them"
-  if (noun != nullptr) score += number_score(*noun, list || heap || several(state, referent));
+  if (noun != nullptr)
+    score += number_score(*noun, list || heap || several(state, referent)) + rank_score(*noun, things_of(state, referent, list));
   if (senses != nullptr && subject != kNobody && is_thing(state, subject))
     score += antecedent_place_score(state, referent, subject, *senses, noun);
   for (Candidate& before : all) {

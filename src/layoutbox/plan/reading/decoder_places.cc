@@ -265,12 +265,26 @@ void Decoder::place_actions(std::size_t s, int u) {
   first_place_actions(s, u);
 }
 
+// Whom the last "which" of the sentence spoke of.
+Referent Decoder::meant_by_which_before(const State& state, int u) const {
+  for (int p = u; p-- > 0;) {
+    if (is(p, UnitKind::kPlace) && is(p + 1, UnitKind::kNoun) && chunk(p + 1).noun.head == "which" && read_as(state, p).fronted)
+      return read_as(state, p).implied;
+  }
+  return kNobody;
+}
+
 // "a desk, on which a computer sits": of which of those before.
 void Decoder::relative_place_actions(std::size_t s, int u) {
   const State& state = states_[s];
   int nearer = 0;
+  // "a table, at which two chairs stand and on which a lamp stands"
+  const bool again = unit(u).joiner == Joiner::kAnd || unit(u).joiner == Joiner::kCommaAnd;
+  const Referent before = again ? meant_by_which_before(state, u) : kNobody;
+  if (before >= 0) add(s, kFront, weight::kSameWhich, before, -1, before);
   for (std::size_t f = state.frontier.size(); f-- > 0;) {
     const NounKind kind = noun_of(state, state.frontier[f]).kind;
+    if (state.frontier[f] == before) continue;
     if (is_thing(state, state.frontier[f]) || kind == NounKind::kWindow || kind == NounKind::kDoor || kind == NounKind::kWall)
       add(s, kFront, -0.9 * nearer++ + weight::kTree * tree_.for_noun(u, state.frontier[f]), state.frontier[f], -1, state.frontier[f]);
   }

@@ -199,6 +199,10 @@ int Scribe::make_member(int u, const NounPhrase& noun) {
   }
   int antecedent = antecedent_of(u);
   if (is_across_from(noun, antecedent)) return copy_of(antecedent, noun);
+  // "Four chairs stand round the table; the fifth is by the door."
+  if (antecedent >= 0 && noun.count == 0 && noun.ordinal > 1 && mention_at(antecedent).introduces &&
+      static_cast<std::size_t>(noun.ordinal) == mention_at(antecedent).items.size() + 1)
+    return copy_of(antecedent, noun);
   // "two lockers stand by the door and the other two at the window": four.
   const bool of_placed = antecedent >= 0 && mention_at(antecedent).introduces &&
                          mention_at(antecedent).items.size() <= static_cast<std::size_t>(std::max(noun.count, 1)) &&

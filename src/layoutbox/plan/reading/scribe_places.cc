@@ -57,7 +57,9 @@ void Scribe::grow_for_reference(int index, int mention, bool both) {
   if (mention_at(mention).distributes && mention_at(mention).items.size() > 1) {
     for (const int target : targets) {
       // "five placemats lie around the bowl, one … each chair": as many as there are.
-      const bool agree = mention_at(target).items.size() == mention_at(mention).items.size() && is_placed_before(target, index);
+      // "Two lamps, one on each": those two
+      const bool agree = mention_at(target).items.size() == mention_at(mention).items.size() &&
+                         (is_placed_before(target, index) || !mention_at(target).introduces);
       // "mirrors in front of each chair", "pictures above each bed": one for each; but "pillows on each bed", "chairs around each table".
       const NounPhrase& said = noun_of(target);
       const bool single = said.plural && said.count == 0 && said.determiner == Determiner::kNone &&

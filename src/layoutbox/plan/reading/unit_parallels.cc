@@ -138,6 +138,7 @@ void UnitReader::mean_twin(std::size_t k) {
   NounPhrase another;
   another.kind = NounKind::kMember;
   another.determiner = Determiner::kAnother;
+  if (twin) another.head = "twin";
   another.first = noun.first;
   another.last = noun.last;
   noun = another;
