@@ -38,6 +38,7 @@ Result<SceneGraph> normalize_scene(SceneGraph scene, const Catalog& catalog, con
   normalize_objects(context);
   normalize_hosts(context);
   normalize_guests(context);
+  normalize_carpets(context);
   normalize_room(context);
   normalize_curtains(context);
   if (context.errors.empty()) normalize_slopes(context);

@@ -187,6 +187,19 @@ void pack(const CatalogEntry& entry, const SceneObject& host, SceneObject& guest
   guest.size->usual = usual;
 }
 
+// A bench that is tucked under a desk goes between its legs the long way: so wide it is at most, as long as one can sit on it.
+void narrow_to_knees(const CatalogEntry& entry, const SceneObject& host, SceneObject& guest) {
+  constexpr Mm kPlace = 350, kPlay = 10;
+  Size size;
+  for (const Space& space : spaces_of_host(entry, host, size)) {
+    const Mm room = static_cast<Mm>(space.max[0] - space.min[0]) - kPlay;
+    if (space.min[2] > 0 || space.max[2] >= size.height || room < kPlace || guest.size->usual.width <= room) continue;
+    guest.size->usual.width = room;
+    guest.size->least.width = std::min(guest.size->least.width, room);
+    return;
+  }
+}
+
 // What one relation says of a guest and the host that it names.
 void find_room(NormalizeContext& context, RelationType type, SceneObject& host, SceneObject& guest) {
   const CatalogEntry& entry = context.catalog.entry_or_nearest(host.category);
@@ -199,7 +212,8 @@ void find_room(NormalizeContext& context, RelationType type, SceneObject& host, 
   if (type == RelationType::kOn && guests == 0) close_up(entry, host);
   if (under && may_be_raised(entry, host) && share_under(entry, host, guest.size->least, tucked ? 0 : kStillUnder) == 0)
     raise(context, entry, host, guest.size->usual);
-  if (guest.size_source != SizeSource::kCatalog || !guest.catalog_id.empty() || tucked) return;
+  if (guest.size_source != SizeSource::kCatalog || !guest.catalog_id.empty()) return;
+  if (tucked) return narrow_to_knees(entry, host, guest);
   if (under) lay_down(context.catalog, entry, host, guest);
   const double share = in      ? share_inside(entry, host, guest.size->least, guests)
                        : under ? share_under(entry, host, guest.size->least)

@@ -39,6 +39,9 @@ void fold_over_seat(const Catalog& catalog, const SceneObject& seat, SceneObject
 // smaller. REQUIRES: sizes are known.
 void normalize_guests(NormalizeContext& context);
 
+// Carpets that many pieces of furniture stand on, as large as those take. REQUIRES: sizes are known.
+void normalize_carpets(NormalizeContext& context);
+
 // The article of the user's that an object is: the one it names, else of its kind, the best by words, the least used; null for none.
 const CatalogEntry* choose_article(const NormalizeContext& context, const SceneObject& object);
 

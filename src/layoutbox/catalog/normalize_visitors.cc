@@ -9,6 +9,7 @@
 
 #include "layoutbox/catalog/normalize_steps.h"
 #include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox {
 namespace {
@@ -54,7 +55,8 @@ class Visitors {
   // Whom the text puts at a desk.
   struct Sitters {
     bool visited = false;
-    std::string own;  // the seat behind it: of several the last
+    std::string own;             // the seat behind it: of several the last
+    bool worked_before = false;  // one works there at its front: "a desk with an executive chair"
   };
 
   std::map<std::string, Sitters> told_sitters() const {
@@ -72,7 +74,9 @@ class Visitors {
         if (seat == seats.end()) continue;
         for (const std::string& desk : r.references) {
           Sitters& sitters = told[desk];
-          sitters.visited |= !behind;
+          const bool works = !behind && entry_of(scene_.objects[seat->second]).is(Trait::kWorkSeat);
+          sitters.visited |= !behind && !works;
+          sitters.worked_before |= works;
           if (!behind || (!sitters.own.empty() && seat->second < last_behind[desk])) continue;
           sitters.own = target, last_behind[desk] = seat->second;
         }
@@ -94,7 +98,9 @@ class Visitors {
     const bool receives = std::ranges::find(kind_->rooms, scene_.room.type) != kind_->rooms.end();
     const bool alone = only_desk && !has_other_table(desk);
     const std::vector<std::string> loose = alone ? loose_seats(desk) : std::vector<std::string>{};
-    const bool visited = told.visited, manned = !told.own.empty();
+    if (told.worked_before && told.own.empty() && !told.visited && !is_at_wall(desk))
+      return settle_visitors(desk, loose, RelationType::kBehind);
+    const bool visited = told.visited || told.worked_before, manned = !told.own.empty();
     std::string own = told.own;
     // Of chairs that nobody placed the best to work on is the worker's.
     const auto works = [&](const std::string& id) { return entry_of(*scene_.find_object(id)).is(Trait::kWorkSeat); };
@@ -112,6 +118,23 @@ class Visitors {
     if (!own.empty() && !manned) relate(RelationType::kBehind, own, desk, "who works at a desk sits across from visitors");
     for (const std::string& id : visitors) {
       relate(RelationType::kInFrontOf, id, desk, "visitors sit before the desk");
+      relate(RelationType::kFacing, id, desk, "visitors look at the desk");
+    }
+  }
+
+  bool is_at_wall(const std::string& desk) const {
+    constexpr RelationSet kAtWall(RelationType::kAgainstWall, RelationType::kCorner, RelationType::kUnderWindow,
+                                  RelationType::kSideAgainstWall);
+    return std::ranges::any_of(scene_.relations, [&](const Relation& r) { return kAtWall.has(r.type) && names(r.targets, desk); });
+  }
+
+  // Who comes sits across from the one who works there.
+  void settle_visitors(const std::string& desk, const std::vector<std::string>& loose, RelationType across) {
+    const bool receives = std::ranges::find(kind_->rooms, scene_.room.type) != kind_->rooms.end();
+    for (const std::string& id : loose) {
+      const CatalogEntry& seat = entry_of(*scene_.find_object(id));
+      if (!seat.is(Trait::kVisitorSeat) && (!receives || seat.is(Trait::kWorkSeat))) continue;
+      relate(across, id, desk, "who works at a desk sits across from visitors");
       relate(RelationType::kFacing, id, desk, "visitors look at the desk");
     }
   }

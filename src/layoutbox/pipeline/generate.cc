@@ -218,19 +218,20 @@ class Run {
     return {};
   }
 
-  // A room of which nobody says how large it is was guessed too small where not all that is asked for has a place in it.
+  // A room of which nobody says how large it is was guessed too small where not all that is asked for has a place in it, or only things
+  // smaller than they usually are.
   Result<std::vector<Layout>> solve_where_it_fits() {
     LAYOUTBOX_ASSIGN(std::vector<Layout> layouts, solve_variants(outcome_.scene, catalog_, options_.solve, options_.variants));
     for (const double growth : {1.15, 1.3}) {
       SolveOptions rest = options_.solve;  // all of it within the one limit
       rest.time_limit_s -= std::chrono::duration<double>(Clock::now() - started_).count();
-      if (!plan_ || stopped() || rest.time_limit_s <= 0 || !lacks_room(layouts.front())) break;
+      if (!plan_ || stopped() || rest.time_limit_s <= 0 || (!lacks_room(layouts.front()) && !is_cramped(layouts.front()))) break;
       GenerateOptions larger = options_;
       larger.normalize.room_growth = growth;
       auto scene = prepare_plan(*plan_, catalog_, larger);
       if (!scene || scene->room.polygon == outcome_.scene.room.polygon) break;
       auto again = solve_variants(*scene, catalog_, rest, options_.variants);
-      if (!again || again->front().relaxed.size() >= layouts.front().relaxed.size()) continue;
+      if (!again || !has_more_room(again->front(), layouts.front())) continue;
       outcome_.scene = std::move(*scene);
       layouts = std::move(*again);
       LAYOUTBOX_CHECK(folder_.write_artefacts(Stage::kPlan, room()));
@@ -242,6 +243,18 @@ class Run {
   static bool lacks_room(const Layout& layout) {
     if (layout.status == LayoutStatus::kFallback || layout.relaxed.empty()) return false;
     return layout.conflicts.empty() || std::ranges::any_of(layout.conflicts, [](const Conflict& c) { return !c.objects.empty(); });
+  }
+
+  // Most rooms are made to fit their furniture, not the other way round.
+  static bool is_cramped(const Layout& layout) {
+    constexpr double kMostShrunk = 0.8;  // of the score for usual sizes: two steps below them and more
+    const auto sizes = layout.score_terms.find("sizes");
+    return layout.status != LayoutStatus::kFallback && sizes != layout.score_terms.end() && sizes->second < kMostShrunk;
+  }
+
+  static bool has_more_room(const Layout& larger, const Layout& room) {
+    if (larger.relaxed.size() != room.relaxed.size()) return larger.relaxed.size() < room.relaxed.size();
+    return is_cramped(room) && larger.score > room.score;
   }
 
   Status solve_scene() {

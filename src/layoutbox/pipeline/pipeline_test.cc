@@ -46,6 +46,24 @@ TEST(Generate, ARoomThatNobodyMeasuredGrowsUntilAllHasAPlace) {
   }
 }
 
+// … nor is its furniture made smaller than usual for it.
+TEST(Generate, ARoomThatNobodyMeasuredGrowsRatherThanItsFurnitureShrinks) {
+  const Catalog& catalog = Catalog::builtin();
+  const auto planner = make_offline_planner(catalog);
+  GenerateOptions options;
+  options.pictures = false;
+  for (const char* prompt :
+       {"A writer's den. Writing desk close to the window, chair tucked in behind it, typewriter and desk lamp on top. A leather recliner "
+        "is "
+        "set across from the desk, with a floor lamp just behind the recliner.",
+        "A nap room. Six cots rest on a carpet in the center of the room. A rocking chair by the window faces the cots."}) {
+    const TemporaryFolder folder = TemporaryFolder::make("layoutbox-test-").value();
+    const auto made = generate(prompt, *planner, catalog, folder.path() / "out", options);
+    ASSERT_TRUE(made) << made.error().message;
+    EXPECT_GT(made->layout.score_terms.at("sizes"), 0.6) << prompt;
+  }
+}
+
 TEST(Artefacts, EveryNameOfTheTableIsAnOutput) {
   for (const Artefact& one : artefacts()) {
     EXPECT_TRUE(is_output_name(one.file)) << one.file;

@@ -71,6 +71,26 @@ TEST(Arrangement, WhoWorksAtADeskSitsAcrossFromVisitors) {
   EXPECT_NEAR(turned(layout, "office_chair_1", "chair_1"), 180, 1);
 }
 
+// "A desk with an executive chair, and two chairs for clients": not the three of them in a row.
+TEST(Arrangement, ClientsSitAcrossFromTheChairThatADeskIsToldToHave) {
+  SceneMaker maker(4500, 3800);
+  maker.raw().room.type = "office";
+  maker.add("desk").add("office_chair").add("chair", 2).relate("inFrontOf", {"office_chair_1"}, {"desk_1"});
+  const Layout layout = solved_as_asked(maker.make(true));
+  EXPECT_LT(seen_from(layout, "desk_1", "office_chair_1").y, 0);
+  for (const char* client : {"chair_1", "chair_2"}) {
+    EXPECT_GT(seen_from(layout, "desk_1", client).y, 0) << client;
+    EXPECT_NEAR(turned(layout, "office_chair_1", client), 180, 1) << client;
+  }
+}
+
+TEST(Arrangement, ASquareShowerStandsInACorner) {
+  const Layout layout = solved_as_asked(SceneMaker(3600, 2900).add("bathtub").add("shower").add("sink", 2).add("toilet").make(true));
+  const PlacedObject& shower = object(layout, "shower_1");
+  const double x = std::min(shower.position[0], 3600 - shower.position[0]), y = std::min(shower.position[1], 2900 - shower.position[1]);
+  EXPECT_LT(std::max(x, y), 520);
+}
+
 TEST(Arrangement, TwinBedsWithNightstandsStandBesideEachOther) {
   const Layout layout = solved_as_asked(SceneMaker(4700, 3900).add("single_bed", 2).add("nightstand", 2).make(true));
   EXPECT_LT(turned(layout, "single_bed_1", "single_bed_2"), 1);

@@ -121,18 +121,37 @@ void ladder(Piece& p) {
   p.fit();
 }
 
+// The machine alone in a box of 1 by 0.5 by 0.9; `on`: where that is.
+void sewing_head(Piece& p, int body, const Pose& on) {
+  const int metal = p.named("chrome"), dark = p.named("grey_plastic");
+  p.add(body, rounded_box(sides(-0.5, 0.5, -0.22, 0.22, 0, 0.16), 0.04, 3), on);
+  p.add(body, rounded_box(sides(0.24, 0.46, -0.16, 0.18, 0.14, 0.76), 0.06, 3), on);
+  p.add(body, rounded_box(sides(-0.46, 0.46, -0.14, 0.16, 0.52, 0.78), 0.07, 3), on);
+  p.add(body, rounded_box(sides(-0.46, -0.26, -0.13, 0.14, 0.38, 0.7), 0.04, 3), on);
+  p.add(metal, rod({-0.36, 0, 0.17}, {-0.36, 0, 0.4}, 0.015, 8), on);
+  p.add(metal, box(sides(-0.44, -0.26, -0.1, 0.1, 0.16, 0.175), 0.005), on);
+  p.add(dark, rod({0.46, 0, 0.64}, {0.52, 0, 0.64}, 0.11, 22), on);
+  p.add(dark, rod({0.34, -0.165, 0.5}, {0.34, -0.14, 0.5}, 0.05, 18), on);
+  p.add(p.tinted("wool", p.accent()), cylinder({0.1, 0, 0.77}, 0.04, 0.12, 14), on);
+}
+
+// On its own table where that is part of it: a top on two sides of iron, between them the treadle.
 void sewing_machine(Piece& p) {
-  const int body = p.main("plastic"), metal = p.named("chrome"), dark = p.named("grey_plastic");
-  p.add(body, rounded_box(sides(-0.5, 0.5, -0.22, 0.22, 0, 0.16), 0.04, 3));
-  p.add(body, rounded_box(sides(0.24, 0.46, -0.16, 0.18, 0.14, 0.76), 0.06, 3));
-  p.add(body, rounded_box(sides(-0.46, 0.46, -0.14, 0.16, 0.52, 0.78), 0.07, 3));
-  p.add(body, rounded_box(sides(-0.46, -0.26, -0.13, 0.14, 0.38, 0.7), 0.04, 3));
-  p.add(metal, rod({-0.36, 0, 0.17}, {-0.36, 0, 0.4}, 0.015, 8));
-  p.add(metal, box(sides(-0.44, -0.26, -0.1, 0.1, 0.16, 0.175), 0.005));
-  p.add(dark, rod({0.46, 0, 0.64}, {0.52, 0, 0.64}, 0.11, 22));
-  p.add(dark, rod({0.34, -0.165, 0.5}, {0.34, -0.14, 0.5}, 0.05, 18));
-  p.add(p.tinted("wool", p.accent()), cylinder({0.1, 0, 0.77}, 0.04, 0.12, 14));
-  p.fit();
+  constexpr double kOfTable = 0.7;
+  if (p.spaces.empty()) {
+    sewing_head(p, p.main("plastic"), {});
+    p.fit();
+    return;
+  }
+  const int wood = p.main("oak"), iron = p.named("black_metal");
+  const double top = kOfTable * p.h, under = p.spaces[0].box.max.z, high = p.h - top;
+  p.add(wood, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, std::max(under, top - 0.04), top), 0.005));
+  for (const double side : {-1.0, 1.0}) {
+    const double outer = side * (p.w / 2 - 0.01), inner = side * (p.w / 2 - 0.04);
+    p.add(iron, box(sides(std::min(inner, outer), std::max(inner, outer), -p.d / 2 + 0.03, p.d / 2 - 0.03, 0, under), 0.003));
+  }
+  p.add(iron, box(sides(-p.w / 2 + 0.04, p.w / 2 - 0.04, p.d / 2 - 0.05, p.d / 2 - 0.03, 0.05, 0.2), 0.003));
+  sewing_head(p, p.named("black_metal"), moved(0.1 * p.w, 0.05 * p.d, top) * scaled(0.45 * p.w, 0.45 * p.w, high / 0.9));
 }
 
 void telescope(Piece& p) {

@@ -106,6 +106,7 @@ void Habits::stand(ItemId index) {
     back_to_wall(index, kAtWall);
   if (!item.entry->back_to_wall && item.is(Trait::kSeat) && item.has_front && !with_host) stand_in_wall_row(index);
   keep_nose_free(index);
+  keep_nose_off_walls(index);
   const bool is_worked_at = item.is(Trait::kTable) || item.is(Trait::kCounter) || item.is(Trait::kDeskLike);
   if (!item.entry->back_to_wall && item.is(Trait::kOpenToRoom) && !is_window_bar(index) && !(is_worked_at && stand_along_run(index)))
     open_to_room(index, is_worked_at ? kAtWall : kFaces), leave_seat_behind(index);

@@ -160,6 +160,7 @@ class Habits {
   void sit_facing(ItemId item, ItemId host);
   bool sit_by_between(ItemId item);
   void keep_nose_free(ItemId item);
+  void keep_nose_off_walls(ItemId item);
   void keep_before_counter(ItemId item);
   bool only_turned_by(ItemId item, ItemId host) const;
   bool only_near(ItemId item, ItemId host) const;

@@ -53,22 +53,11 @@ bool Habits::stand_as_told_by(ItemId item) {
   return false;
 }
 
-std::vector<ItemId> Habits::hosts_beside(ItemId item) const {
-  const Item& self = model_.items[item];
-  std::vector<ItemId> hosts = usual_hosts(item);
-  for (const ItemId other : model_.items.ids()) {  // a potter's wheel
-    if (!self.is(Trait::kTableSeat)) break;
-    const bool known = std::ranges::find(hosts, other) != hosts.end();
-    if (!known && other != item && model_.items[other].is(Trait::kDeskLike) && model_.items[other].has_front && related(item, other))
-      hosts.push_back(other);
-  }
-  return hosts;
-}
-
 // The host that a relation says it stands by, not only looks at.
 std::optional<ItemId> Habits::told_host(ItemId item, const std::vector<ItemId>& hosts) const {
   for (const ItemId h : hosts) {
     if (!related(item, h) || only_related_by(item, h, RelationSet(RelationType::kBetween)) || only_turned_by(item, h)) continue;
+    if (related_as_target(item, h, RelationType::kFar)) continue;
     if (model_.items[item].is(Trait::kEasySeat) && model_.items[h].is(Trait::kCoffeeTable) && only_near(item, h)) continue;
     return h;
   }

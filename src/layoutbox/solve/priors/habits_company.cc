@@ -108,6 +108,8 @@ bool Habits::before_its_host(ItemId item) const { return model_.items[item].is(T
 std::vector<ItemId> Habits::seen_from(ItemId item) const {
   const Item& self = model_.items[item];
   std::vector<ItemId> seen = items_of_kinds(self.entry->faces, item);
+  // What it is to be away from it does not look at.
+  std::erase_if(seen, [&](ItemId other) { return self.is(Trait::kTableSeat) && related_as_target(item, other, RelationType::kFar); });
   // Each has its own mirror before all others.
   std::ranges::stable_partition(seen, [&](ItemId other) { return related_as_target(item, other, RelationType::kFacing); });
   // … an easy chair the low table that it sits at

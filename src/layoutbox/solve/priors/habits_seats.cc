@@ -34,6 +34,23 @@ std::vector<ItemId> Habits::usual_hosts(ItemId item) const {
   return hosts;
 }
 
+// … and what words put it at, or have it look at from a seat.
+std::vector<ItemId> Habits::hosts_beside(ItemId item) const {
+  const Item& self = model_.items[item];
+  std::vector<ItemId> hosts = usual_hosts(item);
+  for (const ItemId other : model_.items.ids()) {
+    if (!self.is(Trait::kTableSeat)) break;
+    const Item& ref = model_.items[other];
+    if (other == item || ref.is_opening() || std::ranges::find(hosts, other) != hosts.end()) continue;
+    const bool worked_at = ref.is(Trait::kDeskLike) && ref.has_front && related(item, other);  // a potter's wheel
+    // "A swivel chair faces the table": whoever looks at a table from such a seat sits at it.
+    const bool faced = ref.is(Trait::kTable) && has_knee_room(ref) && related_as_target(item, other, RelationType::kFacing) &&
+                       only_turned_by(item, other) && !ref.is(Trait::kCoffeeTable);
+    if (worked_at || faced) hosts.push_back(other);
+  }
+  return hosts;
+}
+
 // Do the relations between these two only say that it is by the host, so that it may stand where its kind usually does? "Near the desk"
 // a chair stands before it; "to the left of the bed" a nightstand stands beside the pillow.
 bool Habits::leaves_usual_place(ItemId item, ItemId host) const {
@@ -99,6 +116,29 @@ void Habits::keep_nose_free(ItemId item) {
   }
 }
 
+// … nor a wall, be it that what one sits at is between.
+void Habits::keep_nose_off_walls(ItemId item) {
+  constexpr int kFree = 1000;  // points a metre; more than the free floor that is wanted behind a chair
+  const Item& self = model_.items[item];
+  if (!self.has_front || (!self.is(Trait::kSeat) && !self.is(Trait::kEasySeat))) return;
+  const bool told_to_look = std::ranges::any_of(said_of(item), [&](const Relation* r) {
+    const ItemId other = r->references.size() == 1 ? model_.find_item(r->references[0]) : ItemId();
+    return traits_of(r->type).turns && (!other.exists() || model_.items[other].is_opening());
+  });
+  if (told_to_look) return;
+  const std::vector<ItemId> hosts = hosts_beside(item);
+  const ItemId host = hosts.empty() ? ItemId() : told_host(item, hosts).value_or(hosts[0]);
+  Formula f;
+  for_each_turn(self, [&](int turn, std::uint64_t states) {
+    if (turn % 90 != 0) return;
+    const Direction front = side_direction(self, Side::kFront, turn);
+    const Mm edge = front.sign > 0 ? model_.room.hi[front.axis] : model_.room.lo[front.axis];
+    f.add().when(item, states).require(Linear(std::int64_t{front.sign} * edge) - reach(item, front) - Linear(measures().knees_free));
+    if (host.exists()) f.add().when(item, states).require(reach(host, front) - reach(item, front) - Linear(1));
+  });
+  if (!f.cases.empty()) habit("nose off the wall", item, kFree, std::move(f));
+}
+
 // Seats with a table between them draw up to it.
 bool Habits::sit_by_between(ItemId item) {
   const Item& self = model_.items[item];
@@ -137,7 +177,8 @@ void Habits::sit_facing(ItemId item, ItemId host) {
   if (told) return;
   Formula f;
   add_looks_at(f, model_, item, host);
-  habit("faces", item, kFaces, std::move(f), {host});
+  // Behind it one sits to work: sideways there, for want of room, nobody does.
+  habit("faces", item, related_as_target(item, host, RelationType::kBehind) ? 2 * kFaces : kFaces, std::move(f), {host});
 }
 
 bool Habits::told_short_side(ItemId item, ItemId host) const {

@@ -140,7 +140,7 @@ void Habits::have_screen_before(ItemId item, ItemId screen) {
 
 // A screen is watched from no farther than one sees it well.
 void Habits::watch_from_near(ItemId item, ItemId screen) {
-  constexpr int kTooFar = 150;  // points a metre
+  constexpr int kTooFar = 300;  // points a metre
   Formula f;
   for_each_turn(model_.items[item], [&](int turn, std::uint64_t states) {
     if (turn % 90 != 0) return;

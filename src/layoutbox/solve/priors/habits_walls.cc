@@ -17,6 +17,12 @@ bool is_platform(const Item& item) {
   return item.entry->top_carries && item.states[0].size.height <= kLow && area_of(item) >= kLarge && !item.is(Trait::kBed);
 }
 
+// A shower, a sauna, a booth: as deep as it is wide, and nobody looks over it.
+bool is_tall_cell(const Item& item) {
+  const Size& size = item.states[0].size;
+  return size.height >= measures().tall_from && 4 * std::min(size.width, size.depth) >= 3 * std::max(size.width, size.depth);
+}
+
 }  // namespace
 
 void Habits::back_to_wall(ItemId item, int weight) {
@@ -34,7 +40,8 @@ void Habits::back_to_wall(ItemId item, int weight) {
   const Mm behind = rocks ? wanted.at(Side::kBack) : kFlushInCorner;
   const int for_side = wanted.contains(Side::kLeft) && wanted.contains(Side::kRight) ? kCostWeights.wanted : 0;
   const int for_bed = model_.items[item].is(Trait::kClimbedInto) ? kHighBedToCorner : kBedToCorner;
-  const int to_corner = narrow_bed ? for_bed + for_side : ends_run(item) ? kTallToCorner : keeps_to_corner(item) ? kToCorner : 0;
+  const bool parts_wall = ends_run(item) || (keeps_to_corner(item) && is_tall_cell(model_.items[item]));
+  const int to_corner = narrow_bed ? for_bed + for_side : parts_wall ? kTallToCorner : keeps_to_corner(item) ? kToCorner : 0;
   for (const RoomWall& wall : model_.walls) {
     const std::size_t known = f.cases.size();
     add_against(f, model_, item, states_with_back_to(model_.items[item], wall), wall, behind, true);

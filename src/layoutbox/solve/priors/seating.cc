@@ -64,7 +64,15 @@ std::vector<Arm> arms_of(const Seats& seats, Mm width, Mm depth, Mm out) {
   return arms;
 }
 
+// A stove, a statue, a pit: what one sits round at a distance, for it is neither a table nor stands in for one.
+bool is_sat_off(const Item& table) {
+  if (table.entry == nullptr || table.thin || table.is(Trait::kTable) || table.is(Trait::kCounter) || table.is(Trait::kDeskLike))
+    return false;
+  return !table.entry->top_carries || table.entry->back_to_wall;
+}
+
 Mm wished_reach_under(const Item& seat, const Item& table) {
+  if (is_sat_off(table)) return -measures().knees_free;
   const std::vector<Side> used = seat.object->used_sides.value_or(seat.entry->used_sides);
   if (used.size() == 1 && used[0] == Side::kFront) return -measures().easy_seat_to_table;  // got into from the front only
   return has_knee_room(table) ? measures().pushed_under : -measures().off_kneeless;
