@@ -36,6 +36,11 @@ bool may_be_under(const Catalog& catalog, const NounPhrase& host) {
 
 }  // namespace
 
+bool may_sit_under(const Catalog& catalog, const NounPhrase& seat, const NounPhrase& over) {
+  const bool sat_on = is_seat(catalog, seat) || (seat.entry != nullptr && seat.entry->is(Trait::kBed));
+  return sat_on && (over.entry == nullptr || mount_of(over) == Mount::kSurface);
+}
+
 Mount mount_of(const NounPhrase& noun) {
   if (noun.entry == nullptr) return Mount::kFloor;
   if (std::any_of(noun.attributes.begin(), noun.attributes.end(), [](const std::string& a) { return a == "wall-mounted"; }))
@@ -195,7 +200,7 @@ bool may_refer(const Catalog& catalog, const PhraseSenses& senses, const NounPhr
   if (reference.kind != NounKind::kObject || target.kind != NounKind::kObject) return true;
   if (says(senses, &RelationTraits::rests)) return may_carry(catalog, reference, target);
   if (says(senses, RelationType::kUnder) && mount_of(target) == Mount::kFloor && (target.entry == nullptr || !target.entry->thin))
-    return may_be_under(catalog, reference);
+    return may_be_under(catalog, reference) || may_sit_under(catalog, target, reference);
   const bool beside = std::any_of(senses.begin(), senses.end(), [](const PhraseSense& s) { return stands_beside(s.type); });
   if (beside && mount_of(target) == Mount::kFloor) return mount_of(reference) != Mount::kSurface && mount_of(reference) != Mount::kCeiling;
   return true;

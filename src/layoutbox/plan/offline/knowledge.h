@@ -32,6 +32,9 @@ int suits(const Catalog& catalog, const PhraseSense& sense, const NounPhrase& ta
 // The usual mount of a thing; floor where nothing is known.
 Mount mount_of(const NounPhrase& noun);
 
+// "a pew under a stuffed trout": what has no place of its own hangs over who sits or lies there.
+bool may_sit_under(const Catalog& catalog, const NounPhrase& seat, const NounPhrase& over);
+
 bool is_table(const Catalog& catalog, const NounPhrase& noun);     // one sits at it
 bool one_sits_at(const Catalog& catalog, const NounPhrase& noun);  // a table, or what one plays or works at (a piano)
 bool is_full_height(const NounPhrase& noun);                       // said to be as high as the room

@@ -195,7 +195,7 @@ class OfflinePlanner final : public Planner {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < taken.size(); ++i) {
       if (taken[i]) {
-        readings.push_back(std::move(document.readings[i]));
+        if (document.tokens[i].begin < document.tokens[i].end) readings.push_back(std::move(document.readings[i]));  // else put in
         continue;
       }
       if (kept != i) {

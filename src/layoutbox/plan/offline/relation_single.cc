@@ -174,7 +174,9 @@ bool RelationBuilder::add_under_hung(const Link& link, const PhraseSense& sense,
   if (sense.type != R::kUnder || mount_of(target.noun) != Mount::kFloor || target.items.size() != 1) return false;
   const std::vector<std::size_t>& all = relations_of(id(references.front()));
   const bool hung = std::any_of(all.begin(), all.end(), [&](std::size_t r) { return scene_.relations[r].type == R::kOnWall; });
-  const Mount above = hung ? Mount::kWall : mount_of(noun_of_item(references.front()));
+  const Mount above = may_sit_under(catalog_, target.noun, noun_of_item(references.front())) ? Mount::kWall
+                      : hung                                                                 ? Mount::kWall
+                                                                                             : mount_of(noun_of_item(references.front()));
   if (above != Mount::kWall && above != Mount::kCeiling) return false;
   for (const int reference : references) add(link, R::kAbove, {id(reference)}, {id(target.items.front())});
   return true;

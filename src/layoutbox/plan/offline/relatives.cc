@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "layoutbox/base/words.h"
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/splice.h"
@@ -15,6 +16,7 @@ class RelativeParter {
       : lexicon_(lexicon), document_(document), tokens_(document.tokens), readings_(document.readings), skip_(skip) {}
 
   void run() {
+    set_off();
     std::size_t begin = 0;
     for (std::size_t i = 1; i + 2 < tokens_.size(); ++i) {
       if (tokens_[i].ends_sentence || joins_clauses(i)) begin = i + 1;
@@ -26,7 +28,7 @@ class RelativeParter {
   }
 
  private:
-  static constexpr std::size_t kSubject = 7, kClause = 30;  // tokens
+  static constexpr std::size_t kSubject = 7, kClause = 30, kUse = 12;  // tokens
 
   // "The old desk": a noun phrase and nothing more, as far as one sees from its words.
   bool is_subject(std::size_t begin, std::size_t end) const {
@@ -66,6 +68,83 @@ class RelativeParter {
       if (lexicon_.find_phrase(tokens_, i).length > 0 || one_of(tokens_[i].text, {"at", "in", "on", "by"})) return false;
     }
     return second > 0;
+  }
+
+  // "The table on which two lamps stand is by the door": as "the table, on which two lamps stand, is".
+  void set_off() {
+    std::vector<Splice> commas;
+    std::size_t begin = 0;
+    for (std::size_t i = 1; i + 2 < tokens_.size(); ++i) {
+      if (tokens_[i].ends_sentence || tokens_[i].text == "," || joins_clauses(i)) begin = i + 1;
+      if (begin + 1 >= i || skip_[i]) continue;
+      pass_over_use(i);
+      const std::size_t verb = !skip_[i] && opens_relative(i) && is_subject(begin, i) ? own_verb(i) : 0;
+      if (verb == 0) continue;
+      commas.push_back({i, comma_token()});
+      commas.push_back({verb, comma_token()});
+      i = verb;
+    }
+    splice(document_, skip_, std::move(commas));
+  }
+
+  bool is_verb(std::size_t at) const {
+    return lexicon_.is(tokens_[at], WordClass::kBe) || lexicon_.is(tokens_[at], WordClass::kPlaceVerb) ||
+           lexicon_.is(tokens_[at], WordClass::kHang);
+  }
+
+  // The verb of what the clause at i tells of, after the clause's own; 0: there is none.
+  std::size_t own_verb(std::size_t i) const {
+    std::size_t found = 0;
+    bool verb = false;
+    for (std::size_t at = i + lexicon_.find_phrase(tokens_, i).length + 1;
+         at + 1 < std::min(tokens_.size(), i + kUse) && tokens_[at].kind == Token::Kind::kWord; ++at) {
+      const bool helped = lexicon_.is(tokens_[at - 1], WordClass::kHave) || lexicon_.is(tokens_[at - 1], WordClass::kBe);  // "has been"
+      if (verb && !helped && is_verb(at) && lexicon_.find_phrase(tokens_, at + 1).length > 0) found = at;
+      verb = verb || is_verb(at) || is_keeping(at);
+    }
+    return found;
+  }
+
+  // "The desk on which she writes is", "the lectern from which lessons were given stands": what somebody does there, up to the verb of the
+  // desk.
+  void pass_over_use(std::size_t i) {
+    if (!one_of(tokens_[i].text, {"at", "in", "on", "by", "from", "with", "to", "for", "under", "behind"}) ||
+        tokens_[i + 1].text != "which" || tokens_[i - 1].kind != Token::Kind::kWord ||
+        !lexicon_.is(tokens_[begin_of_subject(i)], WordClass::kDefinite))
+      return;
+    const Token& who = tokens_[i + 2];
+    const bool doer = lexicon_.is(who, WordClass::kDoer) || lexicon_.is_person(who.text) ||
+                      one_of(who.text, {"he", "she", "they", "we", "i", "you", "one"});
+    std::size_t verb = i + 3;
+    if (doer && is_keeping(verb)) return;
+    if (!doer) {  // "lessons were given"
+      if (verb + 2 >= tokens_.size() || !lexicon_.is(tokens_[verb], WordClass::kBe) || is_keeping(verb + 1) || !is_verb(verb + 2)) return;
+      ++verb;
+    }
+    for (std::size_t end = verb + 1; end < std::min(tokens_.size(), i + kUse) && tokens_[end].kind == Token::Kind::kWord; ++end) {
+      if (!is_verb(end)) continue;
+      for (std::size_t at = i; at < end; ++at) {
+        skip_[at] = true;
+        readings_[at].use = WordReading::Use::kIgnored, readings_[at].role = "by the way";
+      }
+      return;
+    }
+  }
+
+  // "keeps her books", "has put a vase": something is there.
+  bool is_keeping(std::size_t verb) const {
+    return verb >= tokens_.size() || lexicon_.is(tokens_[verb], WordClass::kHave) || lexicon_.is(tokens_[verb], WordClass::kCommand) ||
+           one_of(singular_of(tokens_[verb].text),
+                  {"keep", "kept", "store", "put", "hang", "hung", "place", "display", "leave", "left", "have", "had", "find", "found"});
+  }
+
+  // Where "the old desk" before token i begins.
+  std::size_t begin_of_subject(std::size_t i) const {
+    std::size_t first = i - 1;
+    while (first > 0 && first + kSubject > i && !lexicon_.is(tokens_[first], WordClass::kDefinite) &&
+           tokens_[first - 1].kind == Token::Kind::kWord)
+      --first;
+    return first;
   }
 
   // "orange and round": adjectives and nothing more, up to the sentence's own verb.

@@ -7,6 +7,7 @@
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
 #include "layoutbox/plan/offline/token_reader.h"
 #include "layoutbox/plan/offline/wording_table.h"
@@ -31,6 +32,7 @@ class WordingReader : public TokenReader {
       read_behind_me(i);
       read_likewise_owned(i);
       read_left_there(i);
+      read_trade(i);
     }
   }
 
@@ -158,6 +160,21 @@ class WordingReader : public TokenReader {
     constexpr Mm kLeftBehind = 700;  // what somebody puts down
     if (thing != nullptr && thing->entry != nullptr && thing->entry->size.usual.width > kLeftBehind) return;
     tokens_[i].text = is(i + 1, {"over", "across"}) ? "draped" : "kept";
+  }
+
+  // "Anna Lind builds violins in a former dairy": who it is and what is done there, no violins.
+  void read_trade(std::size_t i) {
+    constexpr std::size_t kNames = 3;
+    if (!begins(i) || !tokens_[i].capital) return;
+    std::size_t verb = i;
+    while (verb < i + kNames && verb < tokens_.size() && tokens_[verb].capital && lexicon_.find(tokens_, verb).length == 0) ++verb;
+    const std::size_t things = verb + 1;
+    if (verb == i || things + 1 >= tokens_.size() || tokens_[verb].kind != Token::Kind::kWord) return;
+    const std::string &does = tokens_[verb].text, &what = tokens_[things].text;
+    const bool acts = singular_of(does) != does && may_be_verb(singular_of(does)) && !lexicon_.is(tokens_[verb], WordClass::kPlaceVerb) &&
+                      !lexicon_.is(tokens_[verb], WordClass::kHave) && !lexicon_.is(tokens_[verb], WordClass::kHang);
+    const bool over = tokens_[things + 1].ends_sentence || is(things + 1, {"in", "at", "for", "here", "from", "and"});
+    if (acts && over && singular_of(what) != what) leave_out(i, things + 1);
   }
 
   // "the dentist's stool on the right and the assistant's on the left": a stool as well.

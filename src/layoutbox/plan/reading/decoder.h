@@ -170,6 +170,7 @@ class Decoder {
   double parallel_score(const State& state, int u, int member) const;
   Referent carrier_before(const State& state, int u) const;
   bool lies_twice(const State& state, int u, int member) const;
+  bool names_own_carrier(int u) const;
   bool is_one_of_several(int u) const;
   bool nothing_nearer(const State& state, std::size_t level) const;
   Referent side_ahead(int u, const PhraseSenses& senses) const;

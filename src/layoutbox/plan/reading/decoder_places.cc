@@ -36,6 +36,8 @@ double Decoder::attach_score(const State& state, int u, int level, bool inverse)
   // "in the corner by the door": the second place is of the same thing.
   if (again && unit(u).joiner == Joiner::kNone && nearer == 0) score += weight::kSameSubject;
   score += parallel_score(state, u, member);
+  // "turned towards a cello on its stand": the cello's
+  if (nearer == 0 && unit(u).joiner == Joiner::kNone && names_own_carrier(u)) score += weight::kOwnCarrier;
   const bool floats = member + 1 == u && chunk(member).noun.kind == NounKind::kMember && chunk(member).noun.determiner == Determiner::kEach;
   if (level > 0 && finite_place(u)) score += floats ? -weight::kFiniteRoot : weight::kFiniteRoot;  // "three chairs each face a mirror"
   if (word(u) == "from" && level > 0) score += weight::kFromRoot;
@@ -46,6 +48,13 @@ double Decoder::attach_score(const State& state, int u, int level, bool inverse)
   if (member + 1 == u && unit(u).joiner == Joiner::kNone && is_one_of_several(member)) return score + weight::kTellsWhich;
   score += is_known(state, member) ? weight::kKnownSubject : weight::kDefiniteSubject;
   return score;
+}
+
+// "on its stand"
+bool Decoder::names_own_carrier(int u) const {
+  if (!is(u, UnitKind::kPlace) || !follows(u, UnitKind::kNoun) || !says(unit(u).direct, &RelationTraits::rests)) return false;
+  const NounPhrase& noun = chunk(u + 1).noun;
+  return noun.kind == NounKind::kObject && noun.determiner == Determiner::kPossessive && word(u + 1) == "its";
 }
 
 // "two urns on its left half, a tray with six cups on its right half": of what is named as the first was, the tray and not its cups.
