@@ -17,6 +17,7 @@
 #include "layoutbox/plan/offline/forward_counts.h"
 #include "layoutbox/plan/offline/halves.h"
 #include "layoutbox/plan/offline/inserts.h"
+#include "layoutbox/plan/offline/inventory.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/labels.h"
 #include "layoutbox/plan/offline/languages.h"
@@ -124,6 +125,7 @@ class OfflinePlanner final : public Planner {
     settle_worktops(document);
     settle_glosses(document);
     settle_namesakes(document);
+    settle_inventory(document);
     settle_floor_carpets(document);
     settle_part_looks(document);
     settle_grid_counts(document);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "layoutbox/base/words.h"
+#include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/splice.h"
 #include "layoutbox/plan/offline/word_sets.h"
 
