@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/plan/offline/english.h"
 
 namespace layoutbox::offline {
 
