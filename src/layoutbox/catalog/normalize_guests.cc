@@ -200,6 +200,14 @@ void narrow_to_knees(const CatalogEntry& entry, const SceneObject& host, SceneOb
   }
 }
 
+// A vessel, what is not known, and what neither has room for things nor carries any on its top: it is said to have some in it.
+bool may_be_hollow(const Catalog& catalog, const CatalogEntry& entry, const SceneObject& host) {
+  if (host.spaces_given || !host.mesh.empty()) return false;
+  if (entry.is(Trait::kVessel) || catalog.find(host.category) == nullptr) return true;
+  const bool holds = std::ranges::any_of(entry.spaces, [](const SpaceFormula& space) { return space.carries; });
+  return !holds && !entry.thin && !entry.top_carries && host.mount != Mount::kWall && host.mount != Mount::kCeiling;
+}
+
 // What one relation says of a guest and the host that it names.
 void find_room(NormalizeContext& context, RelationType type, SceneObject& host, SceneObject& guest) {
   const CatalogEntry& entry = context.catalog.entry_or_nearest(host.category);
@@ -208,7 +216,7 @@ void find_room(NormalizeContext& context, RelationType type, SceneObject& host, 
   const bool stands = guest.mount == Mount::kFloor || guest.mount == Mount::kSurface;
   if (under && (!stands || context.catalog.entry_or_nearest(guest.category).thin)) return;
   const std::size_t guests = guests_in(context.scene, host);
-  if (in && entry.is(Trait::kVessel) && !host.spaces_given && share_inside(entry, host, guest.size->least, 1) == 0) host.hollow = true;
+  if (in && may_be_hollow(context.catalog, entry, host) && share_inside(entry, host, guest.size->least, 1) == 0) host.hollow = true;
   if (type == RelationType::kOn && guests == 0) close_up(entry, host);
   if (under && may_be_raised(entry, host) && share_under(entry, host, guest.size->least, tucked ? 0 : kStillUnder) == 0)
     raise(context, entry, host, guest.size->usual);

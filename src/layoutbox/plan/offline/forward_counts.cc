@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/plan/offline/english.h"
 
 namespace layoutbox::offline {
 
@@ -168,18 +169,6 @@ void settle_forward_names(Document& document) {
 
 namespace {
 
-// For how many the room is, as said before the chunk at k: "two boys", "the twins"; 0: nobody says.
-int people_before(const Lexicon& lexicon, const std::vector<Chunk>& chunks, std::size_t k) {
-  constexpr std::size_t kBack = 200;  // chunks
-  for (std::size_t looked = 0; k-- > 0 && looked < kBack; ++looked) {
-    if (chunks[k].kind != ChunkKind::kNoun || !lexicon.is_person(chunks[k].noun.head)) continue;
-    const NounPhrase& who = chunks[k].noun;
-    if (who.count > 1) return who.count;
-    if (who.head == "twin" || who.head == "couple") return 2;
-  }
-  return 0;
-}
-
 // How many sleep in the beds that are named.
 int sleepers(const std::vector<Chunk>& chunks) {
   int sleep = 0;
@@ -224,6 +213,18 @@ bool is_each_ones(const std::vector<Chunk>& chunks, std::size_t k) {
 }
 
 }  // namespace
+
+int people_before(const Lexicon& lexicon, const std::vector<Chunk>& chunks, std::size_t k) {
+  constexpr std::size_t kBack = 200;  // chunks
+  for (std::size_t looked = 0; k-- > 0 && looked < kBack; ++looked) {
+    const NounPhrase& who = chunks[k].noun;
+    const bool somebody = who.entry == nullptr && word_form(who.head) == WordForm::kPerson;
+    if (chunks[k].kind != ChunkKind::kNoun || !(somebody || lexicon.is_person(who.head))) continue;
+    if (who.count > 1) return who.count;
+    if (who.head == "twin" || who.head == "couple") return 2;
+  }
+  return 0;
+}
 
 void settle_bunks(const Lexicon& lexicon, Document& document) {
   const auto says = [&](std::size_t i, std::initializer_list<std::string_view> words) {

@@ -15,6 +15,9 @@ void settle_grid_counts(Document& document);
 // "8 beds as bunks": four bunk beds.
 void settle_bunks(const Lexicon& lexicon, Document& document);
 
+// For how many the room is, as said before the chunk at k: "two boys", "the twins"; 0: nobody says.
+int people_before(const Lexicon& lexicon, const std::vector<Chunk>& chunks, std::size_t k);
+
 // "for two girls: bed, desk and wardrobe for each": as many as there are people.
 void settle_for_each(const Lexicon& lexicon, Document& document);
 

@@ -17,6 +17,7 @@
 #include "layoutbox/plan/offline/forward_counts.h"
 #include "layoutbox/plan/offline/halves.h"
 #include "layoutbox/plan/offline/inserts.h"
+#include "layoutbox/plan/offline/inventory.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/labels.h"
 #include "layoutbox/plan/offline/languages.h"
@@ -32,10 +33,12 @@
 #include "layoutbox/plan/offline/room_reader.h"
 #include "layoutbox/plan/offline/runs.h"
 #include "layoutbox/plan/offline/said_counts.h"
+#include "layoutbox/plan/offline/shelf_subjects.h"
 #include "layoutbox/plan/offline/side_subjects.h"
 #include "layoutbox/plan/offline/slopes.h"
 #include "layoutbox/plan/offline/spelling.h"
 #include "layoutbox/plan/offline/states.h"
+#include "layoutbox/plan/offline/their_own.h"
 #include "layoutbox/plan/offline/uses.h"
 #include "layoutbox/plan/offline/wall_lists.h"
 #include "layoutbox/plan/offline/wishes.h"
@@ -100,6 +103,7 @@ class OfflinePlanner final : public Planner {
     read_slopes(lexicon_, document, skip);
     part_relatives(lexicon_, document, skip);
     turn_side_subjects(lexicon_, document, skip);
+    turn_shelf_subjects(lexicon_, document, skip);
     const std::vector<WordReading> of_size = take_out(document, skip);
     document.chunks = chunk_tokens(lexicon_, document.tokens, document.stop);
     if (is_set(document.stop)) return stopped();
@@ -115,6 +119,7 @@ class OfflinePlanner final : public Planner {
     settle_inserts(document);
     settle_bunks(lexicon_, document);
     settle_for_each(lexicon_, document);
+    settle_their_own(lexicon_, document);
     settle_purposes(lexicon_, document);
     settle_room_senses(lexicon_, document, room_size_at);
     settle_word_senses(lexicon_, document);
@@ -122,6 +127,7 @@ class OfflinePlanner final : public Planner {
     settle_worktops(document);
     settle_glosses(document);
     settle_namesakes(document);
+    settle_inventory(document);
     settle_floor_carpets(document);
     settle_part_looks(document);
     settle_grid_counts(document);

@@ -172,13 +172,17 @@ void References::mean_one_of_known(Mention& mention) {
   }
 }
 
-// "the shelf below": of what was named and has one.
+// "the shelf below": of what was named and has one; "its shelves": of what else stands there and may have some.
 void References::mean_own_shelf(Mention& mention) const {
-  for (std::size_t i = document_.items.size(), looked = 0; i-- > 0 && mention.items.empty() && looked < kReach; ++looked) {
-    const NounPhrase& host = document_.items[i].noun;
-    const bool its = mention.noun.determiner == Determiner::kPossessive && is_storage(host);  // "on its shelves"
-    if (has_shelves(host.entry) || its) mention.items = {static_cast<int>(i)};
-  }
+  const auto last = [&](auto&& has_one) {
+    for (std::size_t i = document_.items.size(), looked = 0; i-- > 0 && mention.items.empty() && looked < kReach; ++looked) {
+      if (has_one(document_.items[i].noun)) mention.items = {static_cast<int>(i)};
+    }
+  };
+  last([](const NounPhrase& host) { return has_shelves(host.entry); });
+  if (mention.noun.determiner != Determiner::kPossessive) return;
+  last([](const NounPhrase& host) { return is_storage(host) && mount_of(host) != Mount::kSurface; });
+  last([&](const NounPhrase& host) { return is_table(lexicon_.catalog(), host); });
 }
 
 void References::mean_object(Mention& mention, bool as_reference, bool of_known) {

@@ -1,6 +1,7 @@
 // Links between mentions become relations: who is placed by what, alone, in groups and at parts of the room.
 #include <algorithm>
 
+#include "layoutbox/base/words.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
@@ -222,7 +223,15 @@ void RelationBuilder::add_relations_to(const Link& link, const std::vector<int>&
 
 // "on its top shelf": in what has the shelf, on that one.
 void RelationBuilder::name_shelf(PhraseSense& sense, const NounPhrase& said, const NounPhrase& host) const {
-  if (sense.type != R::kOn || !one_of(said.head, WordSet::kShelfLevels) || host.head == "shelf" || host.entry == nullptr) return;
+  const auto says = [&](auto&& words) {
+    for (std::size_t i = said.first; i < said.last; ++i) {
+      if (words(document_.tokens[i].text)) return true;
+    }
+    return false;
+  };
+  const bool level = one_of(said.head, WordSet::kShelfLevels) ||
+                     says([](const std::string& word) { return one_of(singular_of(word), WordSet::kShelfLevels); });
+  if (sense.type != R::kOn || !level || host.head == "shelf" || host.entry == nullptr) return;
   std::vector<std::string> shelves;
   bool inside = false;
   for (const SpaceFormula& space : host.entry->spaces) {
@@ -231,14 +240,13 @@ void RelationBuilder::name_shelf(PhraseSense& sense, const NounPhrase& said, con
   }
   if (!inside) return;
   sense.type = R::kIn;
-  const auto which = [&](std::initializer_list<std::string_view> words) {
-    return std::any_of(words.begin(), words.end(), [&](std::string_view word) {
-      return said.name.starts_with(word) || std::find(said.attributes.begin(), said.attributes.end(), word) != said.attributes.end();
-    });
+  const auto which = [&](std::initializer_list<std::string_view> names) {
+    return says([&](const std::string& word) { return one_of(word, names); });
   };
   if (shelves.size() < 2) return;
-  if (which({"top", "upper", "highest"})) sense.part = ThingPart(shelves.back());
+  if (which({"top", "upper", "highest", "topmost", "uppermost"})) sense.part = ThingPart(shelves.back());
   if (which({"bottom", "lower", "lowest"})) sense.part = ThingPart(shelves.front());
+  if (which({"middle", "central"})) sense.part = ThingPart(shelves[shelves.size() / 2]);
 }
 
 void RelationBuilder::note_no_place(const Link& link, const Mention& target) {

@@ -93,8 +93,9 @@ void RelationBuilder::let_in(int m, const CatalogEntry& host) {
   const CatalogEntry* form = kind_at(catalog_, thing.noun.entry->id, Place::kSetIn);
   const auto fits = [&](const std::string& id) { return catalog_.is_a(host.id, id); };
   if (form != nullptr && std::ranges::none_of(form->stands_on, fits)) form = nullptr;
-  // "a shelf with bins", "a desk with two screens"
-  if (thing.introduces && thing.noun.name == thing.noun.head) {
+  // "a shelf with bins", "a desk with two screens"; "a sea chart on the table", which is none of the wall
+  const bool off_wall = thing.noun.entry->mount == Mount::kWall && !thing.noun.name.starts_with("wall ");
+  if (thing.introduces && (off_wall || thing.noun.name == thing.noun.head)) {
     const CatalogEntry* kept = catalog_.find(kept_in_entry(thing.noun.head, host));
     if (kept != nullptr) form = kept;
   }

@@ -221,7 +221,7 @@ void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Ment
   if (add_before_seats(link, sense, target, references)) return;
   // "magazines at one end" of a table lie on it.
   if (sense.type == R::kAlongSide && mount_of(target.noun) == Mount::kSurface) sense = {R::kOn, Direction::kDirect, PartWord::kEnd, {}, {}};
-  if (sense.type == R::kIn && !has_inside(noun_of_item(references.front()))) {
+  if (sense.type == R::kIn && !has_inside(noun_of_item(references.front())) && !is_hollow_by(link, noun_of_item(references.front()))) {
     const auto object = [&](int item) -> const SceneObject& { return scene_.objects[static_cast<std::size_t>(item)]; };
     sense.type = is_used_within(object(target.items.front()), object(references.front())) ? R::kInside : R::kOn;
   }
@@ -364,6 +364,12 @@ bool RelationBuilder::has_inside(const NounPhrase& host) const {
   if (host.entry == nullptr) return is_storage(host);
   if (host.entry->is(Trait::kVessel)) return true;
   return std::any_of(host.entry->spaces.begin(), host.entry->spaces.end(), [](const SpaceFormula& s) { return s.carries; });
+}
+
+// "four croissants inside", said of what has no inside of its own, or of which nothing is known: it is hollow for them.
+bool RelationBuilder::is_hollow_by(const Link& link, const NounPhrase& host) const {
+  if (!one_of(document_.tokens[link.first].text, WordSet::kInside) || mount_of(host) == Mount::kWall) return false;
+  return host.entry == nullptr || !host.exact || !(host.entry->thin || host.entry->top_carries || is_sat_on(host));
 }
 
 void RelationBuilder::add_look(const Link& link, R type, int item, int reference) {

@@ -17,7 +17,7 @@ class SideTurner {
   void run() {
     for (std::size_t i = 0; i + 4 < tokens_.size(); ++i) {
       if (i > 0 && !tokens_[i - 1].ends_sentence && !parts_clauses(i - 1) && tokens_[i - 1].text != "with") continue;
-      if (!turn_of(i)) turn_possessive(i);
+      if (!turn_of(i) && !leave_wall_out(i)) turn_possessive(i);
     }
   }
 
@@ -60,6 +60,28 @@ class SideTurner {
     if (first > begin) skip_[begin] = true;
     skip_[of] = true;
     move_before(document_, skip_, begin, of + 1, verb + 1);
+    return true;
+  }
+
+  bool is_on_wall(std::size_t at) const {
+    return at + 3 < tokens_.size() && tokens_[at].text == "on" && tokens_[at + 1].text == "the" && tokens_[at + 2].text == "wall" &&
+           !tokens_[at + 2].ends_sentence;
+  }
+  bool is_over(std::size_t at) const { return one_of(tokens_[at].text, {"above", "over"}); }
+
+  // "…, above it on the wall a clock", "and on the wall above it hangs a print": above it; what hangs over things hangs on a wall.
+  bool leave_wall_out(std::size_t begin) {
+    if (begin == 0 || tokens_[begin - 1].ends_sentence) return false;
+    std::size_t wall = begin;
+    if (is_over(begin)) {
+      for (++wall; wall <= begin + kLongest && wall < tokens_.size() && !is_on_wall(wall); ++wall) {
+        if (tokens_[wall].kind != Token::Kind::kWord || tokens_[wall].ends_sentence) return false;
+      }
+    } else if (begin + 4 >= tokens_.size() || !is_over(begin + 3) || !one_of(tokens_[begin + 4].text, {"it", "them"})) {
+      return false;
+    }
+    if (wall > begin + kLongest || !is_on_wall(wall)) return false;
+    std::fill_n(skip_.begin() + static_cast<std::ptrdiff_t>(wall), 3, true);
     return true;
   }
 

@@ -7,6 +7,7 @@
 
 namespace layoutbox::offline {
 
+// "…, above it on the wall a clock": above it.
 // "The long side of the bed is against the wall", "the bed's head is against the wall": the bed is, long side against the wall.
 // REQUIRES: one reading a token.
 void turn_side_subjects(const Lexicon& lexicon, Document& document, std::vector<bool>& skip);

@@ -42,7 +42,12 @@ class WordingReader : public TokenReader {
     if (!is(i, {"in", "inside"}) || !is(i + 1, {"it", "there"}) || !(i + 2 >= tokens_.size() || tokens_[i + 2].ends_sentence)) return;
     std::size_t first = i;
     std::size_t commas = 0;
-    for (; first > 0 && !tokens_[first - 1].ends_sentence; --first) commas += tokens_[first].text == "," ? 1 : 0;
+    bool had = false;  // "…, a cage with a parrot in it": in the cage
+    for (; first > 0 && !tokens_[first - 1].ends_sentence; --first) {
+      had |= commas == 0 && is(first, {"with"});
+      commas += tokens_[first].text == "," ? 1 : 0;
+    }
+    if (had && commas > 0) return;
     if (commas > 0 && is(first, {"i", "we", "it", "there", "put", "place", "please"}) && first > 0) leave_out(i, i + 2);
   }
 

@@ -34,6 +34,8 @@ double Decoder::antecedent_place_score(const State& state, Referent referent, Re
   const bool its_top = noun != nullptr && (noun->head == "it" || noun->head.empty());  // "a cabinet beside the desk with a printer on top"
   if (subject >= 0 && referent == owner && !side && lies && its_top)
     score += noun->head.empty() ? weight::kTopOfOwnHost : weight::kOnOwnHost;
+  const bool sat_on = is_seat(lexicon_.catalog(), meant) || (meant.entry != nullptr && meant.entry->is(Trait::kEasySeat));
+  if (subject >= 0 && referent != owner && lies && noun != nullptr && noun->head.empty() && sat_on) score += weight::kTopOfOtherSeat;
   if (subject >= 0 && referent != owner && owner != kNobody && read_as(state, subject).former >= 0 && lies && lists_on_it(subject))
     score += weight::kNoReference;
   // "a mirror with a shelf below it"

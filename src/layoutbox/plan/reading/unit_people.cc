@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/reading/unit_reader.h"
 
@@ -23,7 +24,8 @@ bool UnitReader::passes_count(std::size_t k) {
   }
   if (skipping_ || !is(n, ChunkKind::kNoun) || chunk(n).noun.count == 0 || !is_for) return false;
   const NounPhrase& noun = chunk(n).noun;
-  const bool persons = noun.kind == NounKind::kMember || lexicon_.is_person(noun.head);
+  const bool somebody = noun.entry == nullptr && word_form(noun.head) == WordForm::kPerson;  // "four programmers"
+  const bool persons = noun.kind == NounKind::kMember || lexicon_.is_person(noun.head) || somebody;
   const std::size_t before = last_noun();
   if (persons && (is_enough(before) || is_one_for_each(before))) {  // "enough chairs for six", "lockers for twelve"
     count_for(document_.chunks[before].noun, noun.count);
