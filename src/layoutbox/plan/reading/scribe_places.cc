@@ -1,6 +1,7 @@
 // What a noun is for: a reference, contents, a thing of the clause; and how many of it there are for that.
 #include <algorithm>
 
+#include "layoutbox/catalog/kin.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/offline/word_sets.h"
@@ -252,12 +253,14 @@ bool Scribe::takes_other_side(const std::vector<int>& targets) {
   return true;
 }
 
-// "a rack of dumbbells": the dumbbells are on it.
+// "a rack of dumbbells": the dumbbells are on it; "a bench of plants": small ones.
 void Scribe::add_named_contents(int u, int host) {
   const NounPhrase& noun = chunk(u).noun;
   if (noun.contents == nullptr || !is_thing(host) || !mention_at(host).introduces || !one_of(noun_of(host).head, WordSet::kStorageOf))
     return;
-  const NounPhrase things = *noun.contents;
+  NounPhrase things = *noun.contents;
+  if (const CatalogEntry* small = kind_at(lexicon_.catalog(), things.category, Place::kOnThing); small != nullptr)
+    things.entry = small, things.category = small->id;
   if (!may_carry(lexicon_.catalog(), noun_of(host), things)) return;
   const int content = references_.mention(things, -1, false);
   references_.grow(content, mention_at(content).items.size() * mention_at(host).items.size());
