@@ -57,6 +57,7 @@ class RelationBuilder : private RelationWriter {
   void complete_sides();
   // "on opposite walls", "both side walls": which walls they share out; empty where that is not said.
   std::vector<std::string> shared_walls(const NounPhrase& walls, bool boards) const;
+  std::vector<std::string> shared_places(const PhraseSense& sense, const Mention& target, const NounPhrase& place) const;
   bool add_at_walls(const Link& link, const std::vector<int>& targets);
   void name_shelf(PhraseSense& sense, const NounPhrase& said, const NounPhrase& host) const;
   void note_no_place(const Link& link, const Mention& target);

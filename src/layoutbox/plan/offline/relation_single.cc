@@ -23,6 +23,18 @@ std::string RelationBuilder::wall_behind(int item) const {
   return {};
 }
 
+// The walls or the openings that several things share out: "on the side walls", "curtains at both windows"; empty: they are at one.
+std::vector<std::string> RelationBuilder::shared_places(const PhraseSense& sense, const Mention& target, const NounPhrase& place) const {
+  if (!is_opening(place)) return shared_walls(place, sense.type == R::kOnWall && !is_tall(target.noun));
+  const bool several = place.determiner == Determiner::kEach || place.determiner == Determiner::kBoth || place.is_plural();
+  if (!several) return {};
+  constexpr int kAll = 100;
+  NounPhrase every = place;
+  if (place.count < 2) every.count = kAll;
+  const std::vector<std::string> all = opening_ids(every);
+  return all.size() > 1 ? all : std::vector<std::string>{};
+}
+
 // By a part of the room.
 void RelationBuilder::add_in_room(const Link& link, const PhraseSense& sense, const Mention& target, const NounPhrase& place) {
   if (place.niche) return add_in_niche(link, target);
@@ -39,11 +51,10 @@ void RelationBuilder::add_in_room(const Link& link, const PhraseSense& sense, co
   }
   if (place.kind == NounKind::kRoom && (traits_of(sense.type).rests || sense.type == R::kInside)) return;
   if (sense.type == R::kCorner) return add_corners(link, target, place);
-  const std::vector<std::string> walls =
-      target.items.size() > 1 ? shared_walls(place, sense.type == R::kOnWall && !is_tall(target.noun)) : std::vector<std::string>{};
-  for (std::size_t t = 0; t < target.items.size() && !walls.empty(); ++t)
-    add(link, sense.type, {id(target.items[t])}, {walls[t % walls.size()]}, sense);
-  if (!walls.empty()) return;
+  const std::vector<std::string> shared = target.items.size() > 1 ? shared_places(sense, target, place) : std::vector<std::string>{};
+  for (std::size_t t = 0; t < target.items.size() && !shared.empty(); ++t)
+    add(link, sense.type, {id(target.items[t])}, {shared[t % shared.size()]}, sense);
+  if (!shared.empty()) return;
   if (sense.type == R::kOpposite) add_wall_opposite(link, target);
   for (const int item : target.items) {
     const std::string own = sense.type == R::kFacing && place.kind == NounKind::kWall && place.plural ? wall_behind(item) : std::string{};

@@ -15,6 +15,9 @@ bool stands(const NounPhrase& noun) {
   return noun.kind != NounKind::kObject || (mount_of(noun) == Mount::kFloor && (noun.entry == nullptr || !noun.entry->thin));
 }
 
+bool is_it(const NounPhrase* noun) { return noun != nullptr && noun->head == "it"; }
+bool is_unsaid(const NounPhrase* noun) { return noun != nullptr && noun->head.empty(); }
+
 }  // namespace
 
 // How well what the phrase says of the subject fits the one that may be meant.
@@ -31,31 +34,29 @@ double Decoder::antecedent_place_score(const State& state, Referent referent, Re
   const bool fellow = subject >= 0 && referent >= 0 && owner != kNobody && referent != owner && host_of(state, referent) == owner &&
                       read_as(state, referent).predicate != read_as(state, subject).predicate;
   if (fellow && side && small && mount_of(meant) == Mount::kSurface) score += weight::kSideOfFellow;
-  const bool its_top = noun != nullptr && (noun->head == "it" || noun->head.empty());  // "a cabinet beside the desk with a printer on top"
+  const bool its_top = is_it(noun) || is_unsaid(noun);  // "a cabinet beside the desk with a printer on top"
   if (subject >= 0 && referent == owner && !side && lies && its_top)
     score += noun->head.empty() ? weight::kTopOfOwnHost : weight::kOnOwnHost;
   const bool sat_on = is_seat(lexicon_.catalog(), meant) || (meant.entry != nullptr && meant.entry->is(Trait::kEasySeat));
-  if (subject >= 0 && referent != owner && lies && noun != nullptr && noun->head.empty() && sat_on) score += weight::kTopOfOtherSeat;
+  if (subject >= 0 && referent != owner && lies && is_unsaid(noun) && sat_on) score += weight::kTopOfOtherSeat;
   if (subject >= 0 && referent != owner && owner != kNobody && read_as(state, subject).former >= 0 && lies && lists_on_it(subject))
     score += weight::kNoReference;
   // "a mirror with a shelf below it"
   const bool over = says(senses, RelationType::kAbove) || says(senses, RelationType::kUnder);
   const bool first = subject >= 0 && read_as(state, subject).former < 0;  // … "with a sink, a mirror above": above the sink
-  if (subject >= 0 && referent == owner && over && noun != nullptr && (noun->head == "it" || (noun->head.empty() && first)))
-    score += weight::kOwnHost;
+  if (subject >= 0 && referent == owner && over && (is_it(noun) || (is_unsaid(noun) && first))) score += weight::kOwnHost;
   // "four armchairs before the fire, each with a lamp behind it"
   const bool of_each = owner >= 0 && chunk(owner).noun.determiner == Determiner::kEach &&
                        (chunk(owner).noun.kind == NounKind::kMember || !target.is_plural());
-  if (of_each && referent == owner && noun != nullptr && noun->head == "it") score += weight::kOnOwnHost;
+  if (of_each && referent == owner && is_it(noun)) score += weight::kOnOwnHost;
   // "a cage with a parrot inside": in the cage.
-  const bool inside = says(senses, RelationType::kIn) && noun != nullptr && noun->head.empty();
+  const bool inside = says(senses, RelationType::kIn) && is_unsaid(noun);
   if (subject >= 0 && referent == owner && inside) score += weight::kInOwnHost;
   // "a keyboard in front": of the screen, not of the desk that carries both.
   const bool before = says(senses, RelationType::kInFrontOf) || says(senses, RelationType::kBehind);
   const bool has_it = owner != kNobody && (referent == owner || (owner >= 0 && referent == host_of(state, owner)));
   // … but "a fireplace with two chairs in front": of the fireplace.
-  const bool unsaid = noun != nullptr && noun->head.empty();
-  if (before && unsaid && subject >= 0 && referent == owner && stands(target) && stands(meant)) score += weight::kOwnHost;
+  if (before && is_unsaid(noun) && subject >= 0 && referent == owner && stands(target) && stands(meant)) score += weight::kOwnHost;
   if (before && has_it && small && is_table(lexicon_.catalog(), meant)) score += weight::kBeforeHost;
   return score + standing_score(state, referent, subject, senses) + apart_score(state, referent, subject, senses);
 }

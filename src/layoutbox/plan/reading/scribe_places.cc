@@ -20,6 +20,16 @@ bool Scribe::is_one_of_each(int mention) const {
   });
 }
 
+namespace {
+
+// "mirrors in front of each chair", "pictures above each bed": one for each; but "pillows on each bed", "chairs around each table".
+bool comes_singly(const NounPhrase& said, const PhraseSenses& senses) {
+  return said.plural && said.count == 0 && said.determiner == Determiner::kNone && !says(senses, &RelationTraits::rests) &&
+         !says(senses, RelationType::kAround) && !says(senses, RelationType::kSurround);
+}
+
+}  // namespace
+
 // What is put by several things is as many: one at each of them, at each of their sides, in every corner. `both`: "on both nightstands".
 void Scribe::grow_for_reference(int index, int mention, bool both) {
   Link& link = link_at(index);
@@ -61,12 +71,7 @@ void Scribe::grow_for_reference(int index, int mention, bool both) {
       // "Two lamps, one on each": those two
       const bool agree = mention_at(target).items.size() == mention_at(mention).items.size() &&
                          (is_placed_before(target, index) || !mention_at(target).introduces);
-      // "mirrors in front of each chair", "pictures above each bed": one for each; but "pillows on each bed", "chairs around each table".
-      const NounPhrase& said = noun_of(target);
-      const bool single = said.plural && said.count == 0 && said.determiner == Determiner::kNone &&
-                          !says(link.senses, &RelationTraits::rests) && !says(link.senses, RelationType::kAround) &&
-                          !says(link.senses, RelationType::kSurround);
-      if (single && mention_at(target).items.size() <= 2)
+      if (comes_singly(noun_of(target), link.senses) && mention_at(target).items.size() <= 2)
         references_.grow(target, mention_at(mention).items.size());
       else if (!agree)
         grow_for_each(target, mention);

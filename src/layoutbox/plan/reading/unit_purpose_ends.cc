@@ -51,7 +51,8 @@ bool UnitReader::follows_whom(std::size_t k) const {
     return false;
   const NounPhrase& known = by.kind == NounKind::kPart && by.of ? *by.of : by;
   const bool definite = known.determiner == Determiner::kDefinite || known.determiner == Determiner::kPossessive;
-  const bool new_here = known.determiner == Determiner::kIndefinite && known.exact;  // "a shelf for glazes above a bench"
+  const bool new_here = known.determiner == Determiner::kIndefinite && known.exact;       // "a shelf for glazes above a bench"
+  if (by.kind == NounKind::kPronoun && by.head == "it" && whom.is_plural()) return true;  // "a bookshelf, a basket for toys next to it"
   return part_of_room || (known.kind == NounKind::kObject && (definite || new_here));
 }
 
