@@ -254,8 +254,9 @@ class Companions {
 }  // namespace
 
 std::size_t add_companions(SceneGraph& scene, const SceneGraph& sized, const std::vector<std::string>& excluded, const Catalog& catalog) {
-  // Where nothing is asked for it has what is usual already.
-  if (std::ranges::none_of(scene.objects, &SceneObject::asked) || catalog.only_articles()) return 0;
+  // Where nothing is asked for it has what is usual already; "a living room with a reading corner" has the corner's things alone.
+  const auto is_said = [](const SceneObject& object) { return object.asked() || object.origin == Origin::kConcluded; };
+  if (std::ranges::none_of(scene.objects, is_said) || catalog.only_articles()) return 0;
   const std::size_t before = scene.objects.size();
   GrowingScene growing(scene, sized, catalog);
   Companions(growing, excluded, catalog).run();

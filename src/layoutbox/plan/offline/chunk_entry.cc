@@ -93,6 +93,33 @@ void Chunker::add_opening(NounKind kind, std::size_t end) {
   add(ChunkKind::kNoun, end - i_).noun = std::move(opening);
 }
 
+// "the bed flush left", "hard right", "a shelf tight to the left": against that wall.
+bool Chunker::read_flush() {
+  const ChunkKind before = previous();
+  const bool placed = before == ChunkKind::kNoun || before == ChunkKind::kVerb || before == ChunkKind::kParticiple;
+  if (!one_of(tokens_[i_].text, WordSet::kFlush) || !placed) return false;
+  std::size_t at = i_ + 1;
+  while (at < tokens_.size() && at < i_ + 3 && one_of_words(tokens_[at], {"to", "against", "with", "on", "the"})) ++at;
+  const Match which = lexicon_.find(tokens_, at, WordClass::kWallWord);
+  const std::size_t end = at + which.length;
+  const bool ends = end >= tokens_.size() || tokens_[end].kind == Token::Kind::kPunctuation || lexicon_.is(tokens_[end], WordClass::kAnd) ||
+                    lexicon_.find_phrase(tokens_, end).length > 0;
+  if (which.length == 0 || !ends || (end < tokens_.size() && tokens_[end].text == "of")) return false;
+  Chunk& place = add(ChunkKind::kRelation, 1);
+  place.phrase.length = 1;
+  place.phrase.senses = &direct_senses<RelationType::kAgainstWall>();
+  NounPhrase wall;
+  wall.kind = NounKind::kWall;
+  wall.determiner = Determiner::kDefinite;
+  wall.wall_word = meaning_of(which, WordClass::kWallWord)->word;
+  wall.head = "wall";
+  wall.name = wall.wall_word + " wall";
+  wall.first = i_;
+  wall.last = end;
+  add(ChunkKind::kNoun, end - i_).noun = std::move(wall);
+  return true;
+}
+
 // "on the left", said of the room.
 void Chunker::mean_hand(Chunk& place) {
   static const PhraseSenses kLeft = {{RelationType::kInRegion, Direction::kAlone, {}, RoomRegion::kLeft, {}}};

@@ -28,6 +28,7 @@ const PhraseSenses& grid_senses() {
 // "with a gap of 40 cm", "leaving a 40 cm gap", "at a distance of 50 cm".
 Chunker::Gap Chunker::gap_here() const {
   Gap gap{i_, false, false};
+  if (length_of(WordClass::kAtLeast) > 0) return gap;  // "at least 1 m from it"
   const auto skip = [&](std::initializer_list<std::string_view> words) {
     const bool found = gap.at < tokens_.size() && std::find(words.begin(), words.end(), tokens_[gap.at].text) != words.end();
     gap.at += found ? 1 : 0;
@@ -78,7 +79,7 @@ bool Chunker::read_distance() {
   const Gap gap = gap_here();
   bool apart = gap.said;
   at = gap.at;
-  if (at >= tokens_.size()) return false;
+  if (at >= tokens_.size() || follows_of()) return false;
   if (tokens_[at].text == "within") at_most = true, ++at;
   at_least = skip_class(WordClass::kAtLeast) || skip_class(WordClass::kMoreThan);
   at_most |= skip_class(WordClass::kAtMost);
@@ -225,17 +226,25 @@ bool Chunker::read_lettered_size() {
 }
 
 // "a sofa 220 cm", "a sofa (220 cm)": its width, where the length ends what is said of it.
+// "a counter of 3 m along the wall": how long it is, not how far from the wall.
+bool Chunker::follows_of() const {
+  return i_ > 0 && tokens_[i_ - 1].text == "of" && previous() == ChunkKind::kNoun && chunks_.size() > 1 &&
+         chunks_.back().kind == ChunkKind::kIgnored && chunks_[telling_].noun.kind == NounKind::kObject &&
+         chunks_[telling_].last == chunks_.back().first;
+}
+
 bool Chunker::read_bare_length() {
   const bool bracketed = i_ > 0 && tokens_[i_ - 1].text == "(" && chunks_.size() > 1;
-  const Chunk* const said_of = chunks_.empty() ? nullptr : &chunks_[chunks_.size() - (bracketed ? 2 : 1)];
+  const bool of = follows_of();
+  const Chunk* const said_of = chunks_.empty() ? nullptr : &chunks_[chunks_.size() - (bracketed || of ? 2 : 1)];
   const bool follows = said_of != nullptr && said_of->kind == ChunkKind::kNoun && (bracketed || previous() == ChunkKind::kNoun);
   const auto measure = follows ? read_measure(lexicon_, tokens_, i_) : std::nullopt;
   if (!measure || said_of->noun.kind != NounKind::kObject || said_of->noun.size.any()) return false;
   const std::size_t end = i_ + measure->length;
   constexpr double kShortest = 0.25, kLongest = 8;  // metres
   if (measure->metres < kShortest || measure->metres > kLongest) return false;
-  const bool ends =
-      end >= tokens_.size() || tokens_[end].text == (bracketed ? ")" : ",") || tokens_[end].ends_sentence || tokens_[end].text == "and";
+  const bool ends = of || end >= tokens_.size() || tokens_[end].text == (bracketed ? ")" : ",") || tokens_[end].ends_sentence ||
+                    tokens_[end].text == "and";
   if (!ends) return false;
   add(ChunkKind::kSize, measure->length).size.width = measure->metres;
   return true;

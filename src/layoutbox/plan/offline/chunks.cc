@@ -44,10 +44,18 @@ bool Chunker::is_about_number() const {
 // "chairs all around"
 bool Chunker::is_all_around() const { return tokens_[i_].text == "all" && i_ + 1 < tokens_.size() && tokens_[i_ + 1].text == "around"; }
 
+// "the desk's left corner", "the counter's right end": a part of what was named.
+bool Chunker::read_owned_side() {
+  const bool owned = !chunks_.empty() && chunks_.back().kind == ChunkKind::kNoun && chunks_.back().noun.owner;
+  if (!owned || length_of(WordClass::kWallWord) != 1 || i_ + 1 >= tokens_.size()) return false;
+  const Token& part = tokens_[i_ + 1];
+  return (lexicon_.is(part, WordClass::kSide) || lexicon_.is(part, WordClass::kCorner)) && read_noun(true);
+}
+
 void Chunker::read() {
-  if (read_hung_at() || read_distance() || read_lettered_size() || read_bare_length() || read_size_chunk() || read_rows() ||
-      read_infinitive() || read_wishing() || read_finding() || read_doing() || read_built_place() || read_having_by() || read_manner() ||
-      read_trailing_bound() || read_look())
+  if (read_owned_side() || read_flush() || read_hung_at() || read_distance() || read_lettered_size() || read_bare_length() ||
+      read_size_chunk() || read_rows() || read_infinitive() || read_wishing() || read_finding() || read_doing() || read_built_place() ||
+      read_having_by() || read_manner() || read_trailing_bound() || read_look())
     return;
   if (is_about_number()) {
     add(ChunkKind::kIgnored, 1);
@@ -209,6 +217,17 @@ std::size_t Chunker::be_length() const {
   return length;
 }
 
+// "a lamp throws light": what it does, right after it, though things are called so.
+bool Chunker::is_thing_as_verb(const Match& match) const {
+  const bool thing = match.length == 1 && std::ranges::all_of(match.meanings, [](const Meaning& m) {
+                       return m.word_class == WordClass::kObject || m.word_class == WordClass::kPart || m.word_class == WordClass::kSide;
+                     });
+  const bool after_one =
+      previous() == ChunkKind::kNoun && !chunks_.empty() && chunks_.back().last == i_ && !chunks_.back().noun.is_plural();
+  return thing && after_one && tokens_[i_].text.ends_with("s") && may_be_verb(tokens_[i_].text) && i_ + 1 < tokens_.size() &&
+         tokens_[i_ + 1].kind == Token::Kind::kWord && lexicon_.find_phrase(tokens_, i_ + 1).length == 0;
+}
+
 void Chunker::read_small_word() {
   const Match match = lexicon_.find(tokens_, i_);
   const auto is = [&](WordClass word_class) {
@@ -228,6 +247,10 @@ void Chunker::read_small_word() {
                     opens_noun(tokens_[i_ + 1]);
   if (verb) {
     add(ChunkKind::kUnknown, 1);
+    return;
+  }
+  if (is_thing_as_verb(match)) {
+    add(ChunkKind::kPurpose, 1);
     return;
   }
   if (match.length > 0) {

@@ -55,6 +55,7 @@ class Chunker {
   bool thing_next(std::size_t at) const;
   bool opens_question() const;
   bool read_whose();
+  bool read_owned_side();
   bool says_enough() const;
   bool read_infinitive();
   // What a thing looks like (chunk_looks).
@@ -82,6 +83,7 @@ class Chunker {
   bool read_where_in();
   void add_opening(NounKind kind, std::size_t end);
   bool read_entering();
+  bool read_flush();
   static void mean_hand(Chunk& place);
   bool read_leave_out();
   bool read_that_may();
@@ -150,7 +152,9 @@ class Chunker {
   double bare_unit(const std::vector<double>& values) const;
   bool read_size_chunk();
   bool read_lettered_size();
+  bool follows_of() const;
   bool read_bare_length();
+  bool is_thing_as_verb(const Match& match) const;
   void read_small_word();
   const Lexicon& lexicon_;
   std::span<const Token> tokens_;

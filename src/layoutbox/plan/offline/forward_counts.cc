@@ -226,6 +226,32 @@ int people_before(const Lexicon& lexicon, const std::vector<Chunk>& chunks, std:
   return 0;
 }
 
+// "both sofas have cushions. There are two sofas.", "… between the two rows of desks; there are six desks": those that were spoken of.
+void settle_forward_wholes(const Lexicon& lexicon, Document& document) {
+  constexpr std::size_t kNearby = 200;  // chunks that are looked at either way
+  std::vector<Chunk>& chunks = document.chunks;
+  const auto speaks_of = [&](std::size_t c, const NounPhrase& noun) { return is_thing(chunks[c]) && is_same(chunks[c].noun, noun); };
+  for (std::size_t k = 0; k < chunks.size() && !is_set(document.stop); ++k) {
+    NounPhrase& known = chunks[k].noun;
+    const bool rows = known.rows > 0 && lexicon.is(document.tokens[known.first], WordClass::kDefinite);
+    const bool all = known.determiner == Determiner::kBoth || (known.determiner == Determiner::kDefinite && known.count > 1);
+    if (!is_thing(chunks[k]) || (!rows && !all)) continue;
+    std::size_t before = k;
+    while (before > 0 && before + kNearby > k && !speaks_of(before - 1, known)) --before;
+    if (before > 0 && speaks_of(before - 1, known)) continue;
+    for (std::size_t c = k + 2; c < std::min(chunks.size(), k + kNearby); ++c) {
+      if (!speaks_of(c, known)) continue;
+      NounPhrase& said = chunks[c].noun;
+      const bool there = chunks[c - 1].kind == ChunkKind::kThere && said.count > 1 && said.determiner == Determiner::kNone;
+      const bool fits = rows ? said.count >= known.rows : known.count == 0 || known.count == said.count;
+      if (!there || !fits) break;
+      known.count = said.count;
+      said.determiner = Determiner::kDefinite;
+      break;
+    }
+  }
+}
+
 void settle_bunks(const Lexicon& lexicon, Document& document) {
   const auto says = [&](std::size_t i, std::initializer_list<std::string_view> words) {
     return i < document.tokens.size() && std::ranges::find(words, document.tokens[i].text) != words.end();

@@ -9,6 +9,9 @@ namespace layoutbox::offline {
 // Gives things that are first spoken of as "each" their number, and makes the later mention one of the same things.
 void settle_forward_counts(Document& document);
 
+// "Both sofas have cushions. There are two sofas.": how many "both" or "the two rows of" are, where only a later mention brings them in.
+void settle_forward_wholes(const Lexicon& lexicon, Document& document);
+
 // "desks for two in four rows of three": so many make the rows.
 void settle_grid_counts(Document& document);
 

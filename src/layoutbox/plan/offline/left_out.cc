@@ -15,15 +15,37 @@ bool was_used(const Document& document, const Chunk& chunk) {
                                    [](const WordReading& r) { return r.use == WordReading::Use::kUsed; });
 }
 
+// "a 1.5 m turning circle": so large, and so not told by the way.
+bool is_measured(const Lexicon& lexicon, const Document& document, const Chunk& chunk) {
+  for (std::size_t i = chunk.first; i + 1 < chunk.last; ++i) {
+    if (document.tokens[i].kind == Token::Kind::kNumber && lexicon.is(document.tokens[i + 1], WordClass::kUnit)) return true;
+  }
+  return false;
+}
+
+// "an office with a desk and cables": what the room has, though elsewhere it is a part of things.
+bool is_part_of_no_thing(const Document& document, std::size_t k) {
+  const NounPhrase& noun = document.chunks[k].noun;
+  if (noun.kind != NounKind::kPart || !noun.plural || noun.of || word_form(noun.head) != WordForm::kThing) return false;
+  for (std::size_t c = k; c-- > 0;) {
+    const Chunk& before = document.chunks[c];
+    if (before.kind == ChunkKind::kHave) return c > 0 && document.chunks[c - 1].noun.kind == NounKind::kRoom;
+    if (before.kind != ChunkKind::kNoun && before.kind != ChunkKind::kComma && before.kind != ChunkKind::kAnd) return false;
+  }
+  return false;
+}
+
 // A noun that might be furniture: named or counted, and not only what something is like or is for ("a wardrobe for clothes").
 bool is_missed(const Lexicon& lexicon, const Document& document, std::size_t k) {
   const Chunk& chunk = document.chunks[k];
+  if (chunk.kind == ChunkKind::kNoun && is_part_of_no_thing(document, k)) return true;
   if (chunk.kind != ChunkKind::kNoun || was_used(document, chunk)) return false;
   const NounPhrase& noun = chunk.noun;
   const bool new_here = noun.determiner == Determiner::kIndefinite || noun.determiner == Determiner::kAnother || noun.count > 0;
   const bool purpose = k > 0 && document.chunks[k - 1].kind == ChunkKind::kPurpose;
   if (noun.kind == NounKind::kAbstract)  // "for a factory", "a place for my cats" say for whom or what it is
-    return !purpose && word_form(noun.head) != WordForm::kPerson && noun.doubted && (new_here || noun.unplaced);
+    return !purpose && word_form(noun.head) != WordForm::kPerson &&
+           (is_measured(lexicon, document, chunk) || (noun.doubted && (new_here || noun.unplaced)));
   if (noun.kind != NounKind::kObject || (purpose && !noun.exact)) return false;
   const bool unknown = !noun.exact && noun.determiner == Determiner::kDefinite;  // "nobody will weigh the labrador"
   const bool named = unknown && std::any_of(document.items.begin(), document.items.end(),

@@ -74,13 +74,16 @@ std::string_view Lexicon::young_room(std::string_view room) const {
 std::pair<std::string_view, std::size_t> Lexicon::room_suggested(std::span<const Token> tokens, std::size_t at) const {
   constexpr std::size_t kLongest = 4;
   std::pair<std::string_view, std::size_t> best{};
-  std::string words;
+  std::string words, bare;  // `bare`: "play drums" of "play the drums"
   for (std::size_t length = 1; length <= kLongest && at + length <= tokens.size(); ++length) {
     const Token& token = tokens[at + length - 1];
     if (token.kind == Token::Kind::kPunctuation) break;
     words += (words.empty() ? "" : " ") + token.text;
+    const bool names = length > 1 && (is(token, WordClass::kDefinite) || is(token, WordClass::kPossessive));
+    if (!names) bare += (bare.empty() ? "" : " ") + token.text;
     auto found = activities_.find(words);
     if (found == activities_.end()) found = activities_.find(singular_of(words));
+    if (found == activities_.end() && !names) found = activities_.find(bare);
     if (found != activities_.end()) best = {found->second, length};
   }
   return best;

@@ -157,6 +157,8 @@ class NounPhraseReader {
   NounPhrase settle_member();
   std::optional<NounPhrase> settle_without_head();
   bool ends_in_verb(std::size_t head) const;
+  void end_before_doing();
+  void mean_thing_before_verb(std::size_t head);
   bool is_nothing(const PhrasePart& part) const;
   bool ends_in_plural_verb(std::size_t head) const;
   bool counts_things(const PhrasePart& part) const;

@@ -238,8 +238,10 @@ std::optional<NounPhrase> NounPhraseReader::settle() {
     phrase_.kind = NounKind::kMember;
     return settle_member();
   }
+  end_before_doing();
   std::size_t head = 0;
   find_head(head);
+  mean_thing_before_verb(head);
   if (head == 0) return settle_without_head();
   if (is_nothing(parts_.front())) head = 1;  // "nothing blocks the window"
   if (ends_in_verb(head) || ends_in_plural_verb(head) || ends_in_doing(head) || ends_in_can(head)) --head;

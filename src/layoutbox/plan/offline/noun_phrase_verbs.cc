@@ -20,7 +20,8 @@ bool NounPhraseReader::ends_in_verb(std::size_t head) const {
     return !before.plural && last.plural && (place_follows || opens_at(last.last));
   if (phrase_.determiner != Determiner::kIndefinite && !definite) return false;
   const bool listed_noun = last.word_class == WordClass::kAbstract && place_follows;
-  if (!last.plural || before.plural || (last.word_class != WordClass::kFiller && !opens_at(last.last) && !listed_noun)) return false;
+  const bool whom = opens_at(last.last) || (last.last < tokens_.size() && lexicon_.is(tokens_[last.last], WordClass::kDoer));  // "nobody"
+  if (!last.plural || before.plural || (last.word_class != WordClass::kFiller && !whom && !listed_noun)) return false;
   if (definite) {
     const bool particle = last.last < tokens_.size() && lexicon_.is(tokens_[last.last], WordClass::kVerb);
     const std::size_t object = last.last + (particle ? 1 : 0);
@@ -30,6 +31,41 @@ bool NounPhraseReader::ends_in_verb(std::size_t head) const {
     return last.last - last.first == 1 && (opens_at(object) || whose || places);
   }
   return before.word_class == WordClass::kObject || (before.word_class == WordClass::kFiller && is_thing(before));
+}
+
+// "a gripper sorts bolts", "a lamp throws light on it": what one thing does, within what was taken for one name. Names have no plural
+// before their last word.
+void NounPhraseReader::end_before_doing() {
+  const bool one = phrase_.determiner == Determiner::kIndefinite || phrase_.determiner == Determiner::kDefinite;
+  if (!one || phrase_.count != 0) return;
+  for (std::size_t p = 1; p + 1 < parts_.size(); ++p) {
+    const PhrasePart &before = parts_[p - 1], &verb = parts_[p], &what = parts_[p + 1];
+    const WordForm form = word_form(tokens_[before.last - 1].text);
+    const bool thing = before.word_class == WordClass::kObject ||
+                       (before.word_class == WordClass::kFiller && (form == WordForm::kThing || form == WordForm::kUnknown));
+    const bool does =
+        verb.plural && verb.last == verb.first + 1 && (verb.word_class == WordClass::kFiller || verb.word_class == WordClass::kObject);
+    const bool uncounted = what.plural || one_of(tokens_[what.last - 1].text, WordSet::kDaylight);
+    if (!thing || before.plural || !does || !uncounted || hyphenated(verb.first) || before.last != verb.first || verb.last != what.first)
+      continue;
+    parts_.resize(p);
+    return;
+  }
+}
+
+// "a mirror crowns the dresser": the thing, though its name is a material before a noun.
+void NounPhraseReader::mean_thing_before_verb(std::size_t head) {
+  if (head < 2 || phrase_.count != 0 || phrase_.determiner == Determiner::kNone) return;
+  const PhrasePart& verb = parts_[head - 1];
+  PhrasePart& thing = parts_[head - 2];
+  const bool does =
+      verb.plural && verb.last == verb.first + 1 && opens_at(verb.last) && lexicon_.find_phrase(tokens_, verb.first).length > 0;
+  if (!does || thing.plural || !is_attribute_class(thing.word_class) || thing.last != verb.first) return;
+  const Match match = lexicon_.find(tokens_.first(thing.last), thing.first);
+  const Meaning* object = meaning_of(match, WordClass::kObject);
+  if (object == nullptr || match.length != thing.last - thing.first) return;
+  thing.word_class = WordClass::kObject;
+  thing.meaning = *object;
 }
 
 // "two sconces guard it", "the stools rim the table", "three brushes stick up in the jar": several, and what they do. Compounds begin with

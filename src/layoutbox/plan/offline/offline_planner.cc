@@ -132,6 +132,7 @@ class OfflinePlanner final : public Planner {
     settle_part_looks(document);
     settle_grid_counts(document);
     settle_forward_counts(document);
+    settle_forward_wholes(lexicon_, document);
     settle_forward_names(document);
     settle_filling_counts(lexicon_, document);
     read_document(lexicon_, document);

@@ -60,6 +60,7 @@ void RelationBuilder::run() {
   fill_whole_walls();
   leave_middle_to_rows();
   make_room_between();
+  stand_in_corners();
   add_habits();
   note_contradictions();
   drop_implied_support();
@@ -201,6 +202,10 @@ void RelationBuilder::add_relations_to(const Link& link, const std::vector<int>&
     if (!sense) {
       if (reference.kind != NounKind::kRoom && reference.kind != NounKind::kAbstract && reference.kind != NounKind::kCeiling)
         note_no_place(link, target);
+      continue;
+    }
+    if (sense->type == R::kInRegion && reference.kind == NounKind::kPart && !sense->region) {
+      add_in_leg(link, target, reference);
       continue;
     }
     if (traits_of(sense->type).of_group) {

@@ -86,6 +86,9 @@ class RelationBuilder : private RelationWriter {
                  const Mention* place);
   void add_single(const Link& link, PhraseSense sense, const Mention& target, const std::vector<int>& references, const Mention* place);
   std::string wall_behind(int item) const;
+  void stand_in_corners();
+  void add_in_leg(const Link& link, const Mention& target, const NounPhrase& place);
+  static bool is_curtain(const NounPhrase& noun);
   void add_in_room(const Link& link, const PhraseSense& sense, const Mention& target, const NounPhrase& place);
   bool is_side_on(const Link& link, const PhraseSense& sense, const NounPhrase& thing, const NounPhrase& host) const;
   bool says_top(const Link& link) const;

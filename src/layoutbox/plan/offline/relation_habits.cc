@@ -305,7 +305,10 @@ void RelationBuilder::add_habits() {
     // One thing in front of another stands in the middle of it.
     const auto alone = std::count_if(scene_.relations.begin(), scene_.relations.end(),
                                      [&](const Relation& o) { return o.type == R::kInFrontOf && o.references == relation.references; });
-    if (relation.type == R::kInFrontOf && alone == 1) {
+    const bool at_end = std::ranges::any_of(scene_.relations, [&](const Relation& o) {
+      return o.type == R::kEdgeAlign && o.targets == relation.targets && o.references == relation.references;
+    });
+    if (relation.type == R::kInFrontOf && alone == 1 && !at_end) {
       add_habit(R::kCenteredOn, relation.targets, relation.references, 80, "what is in front of something is in front of its middle");
     }
   }

@@ -1,10 +1,12 @@
 // Parts of the room as references: its walls, the freer of two, and its openings.
 #include <algorithm>
+#include <utility>
 
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
 #include "layoutbox/plan/offline/room_reader.h"
+#include "layoutbox/plan/offline/word_sets.h"
 
 namespace layoutbox::offline {
 
@@ -81,6 +83,52 @@ std::vector<std::string> RelationBuilder::opening_ids(const NounPhrase& noun) co
   }
   if (ids.empty()) ids.push_back(std::string(type));
   return ids;
+}
+
+// "flush left on the back wall", "against the back and the left wall": its back at the one, a side at the other.
+void RelationBuilder::stand_in_corners() {
+  const auto is_at = [](const Relation& r, std::string_view one, std::string_view other) {
+    return r.type == R::kAgainstWall && r.origin == Origin::kAsked && r.targets.size() == 1 && r.references.size() == 1 &&
+           (r.references.front() == one || r.references.front() == other);
+  };
+  for (Relation& side : scene_.relations) {
+    if (!is_at(side, "left", "right")) continue;
+    const bool backed =
+        std::ranges::any_of(relations_of(side.targets.front()), [&](std::size_t r) { return is_at(scene_.relations[r], "back", "front"); });
+    if (backed) side.type = R::kSideAgainstWall;
+  }
+}
+
+namespace {
+
+// The parts of an L, the greater and the lesser: as far from the corner that is cut out as the room is long, and the rest of it. Where the
+// room has no outline yet, that corner is the back right one, as room_outline has it.
+std::pair<RoomRegion, RoomRegion> legs_of(const std::vector<Point>& polygon) {
+  Mm width = 0, depth = 0;
+  for (const Point& point : polygon) width = std::max(width, point.x), depth = std::max(depth, point.y);
+  bool right = true, back = true;
+  for (const Point& corner : {Point{0, 0}, Point{width, 0}, Point{width, depth}, Point{0, depth}}) {
+    if (std::ranges::find(polygon, corner) == polygon.end())
+      right = corner.x > 0 || polygon.empty(), back = corner.y > 0 || polygon.empty();
+  }
+  if (depth > width) return right ? std::pair{RoomRegion::kLeft, RoomRegion::kRight} : std::pair{RoomRegion::kRight, RoomRegion::kLeft};
+  return back ? std::pair{RoomRegion::kFront, RoomRegion::kBack} : std::pair{RoomRegion::kBack, RoomRegion::kFront};
+}
+
+}  // namespace
+
+// "in the long part"
+void RelationBuilder::add_in_leg(const Link& link, const Mention& target, const NounPhrase& place) {
+  constexpr std::size_t kCornersOfL = 6;
+  const std::vector<Point>& polygon = scene_.room.polygon;
+  if (polygon.empty() ? scene_.room.shape != "L" : polygon.size() != kCornersOfL) return note_no_place(link, target);
+  const auto [greater, lesser] = legs_of(polygon);
+  const bool small = std::ranges::any_of(place.attributes, [](const std::string& word) { return one_of(word, WordSet::kShortLegs); });
+  PhraseSense sense{R::kInRegion, Direction::kDirect, {}, {}, {}};
+  sense.region = small ? lesser : greater;
+  for (const int item : target.items) {
+    if (mount_of(noun_of_item(item)) == Mount::kFloor) add(link, R::kInRegion, {id(item)}, {}, sense);
+  }
 }
 
 }  // namespace layoutbox::offline

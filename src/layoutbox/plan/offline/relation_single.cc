@@ -35,12 +35,16 @@ std::vector<std::string> RelationBuilder::shared_places(const PhraseSense& sense
   return all.size() > 1 ? all : std::vector<std::string>{};
 }
 
+bool RelationBuilder::is_curtain(const NounPhrase& noun) { return noun.entry != nullptr && noun.entry->is(Trait::kCurtain); }
+
 // By a part of the room.
 void RelationBuilder::add_in_room(const Link& link, const PhraseSense& sense, const Mention& target, const NounPhrase& place) {
   if (place.niche) return add_in_niche(link, target);
   if (place.kind == NounKind::kFloor) {
     for (const int item : target.items) {
-      if (mount_of(noun_of_item(item)) == Mount::kSurface) add(link, R::kOn, {id(item)}, {"floor"});
+      const Mount mount = mount_of(noun_of_item(item));
+      const bool hung = mount == Mount::kHung || is_curtain(noun_of_item(item));  // "drapes that pool on the floor"
+      if (mount != Mount::kFloor && !hung) add(link, R::kOn, {id(item)}, {"floor"});
     }
     return;
   }
@@ -51,6 +55,11 @@ void RelationBuilder::add_in_room(const Link& link, const PhraseSense& sense, co
   }
   if (place.kind == NounKind::kRoom && (traits_of(sense.type).rests || sense.type == R::kInside)) return;
   if (sense.type == R::kCorner) return add_corners(link, target, place);
+  // "1 m away from the walls": from each of them
+  if (sense.type == R::kDistance && place.kind == NounKind::kWall && place.is_plural() && place.wall_word.empty() && !link.at_most) {
+    for (const int item : target.items) add(link, R::kAwayFromWall, {id(item)}, {});
+    return;
+  }
   const std::vector<std::string> shared = target.items.size() > 1 ? shared_places(sense, target, place) : std::vector<std::string>{};
   for (std::size_t t = 0; t < target.items.size() && !shared.empty(); ++t)
     add(link, sense.type, {id(target.items[t])}, {shared[t % shared.size()]}, sense);

@@ -50,6 +50,18 @@ void RelationWriter::add_two_rows(const Link& link, std::vector<std::string> tar
   add(rows, R::kGrid, std::move(targets), {});
 }
 
+void RelationWriter::add_at_end(const Link& link, R type, const std::vector<std::string>& targets,
+                                const std::vector<std::string>& references, PhraseSense sense) {
+  const Edge edge = sense.part.has(PartWord::kLeft) ? Edge::kLeft : Edge::kRight;
+  sense.part = {};
+  add(link, type, targets, references, sense);
+  Link end = link;
+  end.concluded = true;
+  const std::size_t known = scene_.relations.size();
+  add(end, R::kEdgeAlign, targets, references);
+  if (scene_.relations.size() > known) scene_.relations.back().parameters.edge = edge;
+}
+
 void RelationWriter::keep_two_that_stand(std::vector<std::string>& objects) const {
   const auto lies = [&](const std::string& one) {
     const SceneObject* object = object_of(one);
@@ -67,6 +79,7 @@ void RelationWriter::say_lengths(const Link& link, Relation& relation) const {
     const int count = static_cast<int>(relation.targets.size());
     relation.parameters.columns = link.columns > 0 ? link.columns : (count + link.rows - 1) / link.rows;
   }
+  if (link.distance && relation.type == R::kAwayFromWall) relation.parameters.min = mm_from_m(*link.distance);
   if (link.distance && relation.type == R::kDistance) {
     const Mm distance = mm_from_m(*link.distance);
     if (!link.at_most) relation.parameters.min = distance;
@@ -86,6 +99,7 @@ void RelationWriter::add(const Link& link, R type, std::vector<std::string> targ
   // "in Japanese style with a futon": that a thing is in the room says nothing.
   if (traits_of(type).rests && references.size() == 1 && references.front() == "room") return;
   if (is_said_within(link, type, targets, references)) type = R::kInside;
+  if ((type == R::kBehind || type == R::kInFrontOf) && !sense.part.empty()) return add_at_end(link, type, targets, references, sense);
   // "four pillars along each side" of whatever are two rows through the room.
   if (type == R::kEachSideOf && are_pillars(targets)) return add_two_rows(link, std::move(targets));
   if (repeats_known(link, type, targets, references, sense)) return;

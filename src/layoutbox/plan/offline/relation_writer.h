@@ -51,6 +51,9 @@ class RelationWriter {
                       const std::vector<std::string>& references) const;
   bool are_pillars(const std::vector<std::string>& objects) const;
   void add_two_rows(const Link& link, std::vector<std::string> targets);
+  // "behind the sofa's right arm": behind it, its edge in line with that end.
+  void add_at_end(const Link& link, RelationType type, const std::vector<std::string>& targets, const std::vector<std::string>& references,
+                  PhraseSense sense);
   void keep_two_that_stand(std::vector<std::string>& objects) const;
   void say_lengths(const Link& link, Relation& relation) const;
 

@@ -82,10 +82,11 @@ void settle_opening_sizes(Document& document) {
   for (std::size_t k = 0; k < chunks.size(); ++k) {
     if (chunks[k].kind != ChunkKind::kNoun || (chunks[k].noun.kind != NounKind::kDoor && chunks[k].noun.kind != NounKind::kWindow))
       continue;
-    bool placed = false;  // "two windows in the back wall, each 2 m wide"
+    bool placed = false;  // "two windows in the back wall, each 2 m wide", "…, 1.5 m wide"
     for (std::size_t n = k + 1; n < chunks.size(); ++n) {
       Chunk& next = chunks[n];
-      if (next.kind == ChunkKind::kSize && !placed) {
+      const bool aside = chunks[n - 1].kind == ChunkKind::kComma;
+      if (next.kind == ChunkKind::kSize && (!placed || aside)) {
         chunks[k].noun.size = next.size;
         next.kind = ChunkKind::kIgnored;
         for (std::size_t i = next.first; i < next.last; ++i) {

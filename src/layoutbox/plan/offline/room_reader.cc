@@ -67,7 +67,7 @@ void set_kind(const Document& document, SceneGraph& scene) {
   if (types.size() > 1) {
     std::string all;
     for (const std::string& type : types) all += (all.empty() ? "" : ", ") + type;
-    scene.notes.push_back({"ignored", "the text speaks of several rooms (" + all + "): all goes into one " + room.type, "prompt"});
+    scene.notes.push_back({"warning", "the text speaks of several rooms (" + all + "): all goes into one " + room.type, "prompt"});
   }
 }
 

@@ -135,7 +135,10 @@ class SenseChooser {
     if (!says_any({R::kOn, R::kIn, R::kNextTo, R::kNear, R::kAgainstWall, R::kOnCeiling, R::kCorner, R::kCenterOfRoom, R::kFacing,
                    R::kTuckedUnder, R::kAbove, R::kDistance}))
       return {};
-    if (reference_.of && reference_.of->kind == NounKind::kObject) return chosen(on_part(ThingPart(reference_.wall_word + " corner")));
+    if (reference_.of && reference_.of->kind == NounKind::kObject) {
+      const std::string which = reference_.wall_word.empty() ? std::string{} : reference_.wall_word + " ";
+      return chosen(on_part(ThingPart(which + "corner")));
+    }
     return chosen(own(R::kCorner));
   }
 
@@ -149,7 +152,29 @@ class SenseChooser {
     return std::nullopt;
   }
 
+  // "in the long part" of an L
+  bool is_leg_of_room() const {
+    const auto tells = [](const std::string& word) { return one_of(word, WordSet::kLongLegs) || one_of(word, WordSet::kShortLegs); };
+    const bool of_thing = reference_.of && reference_.of->kind != NounKind::kRoom;
+    return one_of(reference_.head, WordSet::kLegs) && !of_thing && says(R::kIn) && std::ranges::any_of(reference_.attributes, tells);
+  }
+
+  // "behind the sofa's right arm", "in front of the left end of the desk": behind or before it, at that end.
+  std::optional<PhraseSense> at_end_of_length() const {
+    const bool end = reference_.wall_word == "left" || reference_.wall_word == "right";
+    if (!end || !reference_.of || reference_.of->kind != NounKind::kObject) return std::nullopt;
+    for (const R type : {R::kBehind, R::kInFrontOf}) {
+      if (!says(type)) continue;
+      PhraseSense sense = own(type);
+      sense.part = ThingPart(reference_.wall_word);
+      return sense;
+    }
+    return std::nullopt;
+  }
+
   std::optional<PhraseSense> at_part() const {
+    if (const auto across = at_end_of_length()) return across;
+    if (is_leg_of_room()) return own(R::kInRegion);
     const std::string& head = reference_.head;
     // "at the left end of the counter": on it what stands on such things, beside it the rest.
     if (head == "end" && (reference_.wall_word == "left" || reference_.wall_word == "right")) {

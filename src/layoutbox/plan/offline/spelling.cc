@@ -74,6 +74,8 @@ std::string nearest(const Lexicon& lexicon, const std::string& word) {
     for (std::size_t length = word.size() - reach; length <= word.size() + reach; ++length) {
       for (const std::string_view known : lexicon.words_like(first, length)) {
         if (is_other_short_word(word, known)) continue;
+        const bool swapped = known.size() > 1 && known[1] == word[0];  // "dram" and "ajar" are no "ram" and "jar"
+        if (first != word[0] && !swapped) continue;
         const std::size_t distance = edit_distance(word, known);
         const bool better =
             distance < least || (distance == least && distance <= reach && likelihood(word, known) > likelihood(word, best));

@@ -323,11 +323,25 @@ void name_room_by_contents(const Lexicon& lexicon, const Document& document, Sce
   }
 }
 
+namespace {
+
+// "a bedroom without furniture": it stays empty, unless the text asks to furnish it.
+bool wants_no_furniture(const Document& document) {
+  const std::vector<std::string>& furnish = Groups::builtin().to_furnish;
+  const auto asks = [&](const Token& token) { return std::ranges::find(furnish, token.text) != furnish.end(); };
+  if (std::ranges::any_of(document.tokens, asks)) return false;
+  return std::ranges::any_of(document.tokens, [](const Token& token) { return token.text == "unfurnished"; }) ||
+         std::ranges::any_of(document.excluded, [](const NounPhrase& noun) { return one_of(noun.head, WordSet::kAllFurniture); });
+}
+
+}  // namespace
+
 void furnish_by_wish(const Lexicon& lexicon, const Document& document, SceneGraph& scene) {
   if (!scene.objects.empty() && only_says_what_for(lexicon, document)) {
     scene.objects.clear();
     scene.relations.clear();
   }
+  if (scene.objects.empty() && wants_no_furniture(document)) return;
   if (scene.objects.empty()) return Furnisher(lexicon, document, scene).run();
   // "Open plan flat. Kitchen at one end, …": a kitchen of which nothing is named.
   const bool kitchen = std::ranges::any_of(document.rooms, [](const NounPhrase& room) {

@@ -352,7 +352,9 @@ bool UnitReader::passes_apposition(std::size_t k) {
   // "next to it is the oven, a tall steel thing; …"
   const bool vague =
       noun.kind == NounKind::kObject && noun.determiner == Determiner::kIndefinite && one_of(noun.head, WordSet::kApposedThings);
-  if (vague && joiner_ == Joiner::kComma && !units_.empty() && units_.back().kind == UnitKind::kNoun) {
+  const std::size_t after = next(k);  // "a bed, a contraption and a clock" is a list
+  const bool listed = is(after, ChunkKind::kAnd) || (is(after, ChunkKind::kComma) && is(next(after), ChunkKind::kAnd));
+  if (vague && !listed && joiner_ == Joiner::kComma && !units_.empty() && units_.back().kind == UnitKind::kNoun) {
     mark(k, WordReading::Use::kUsed, "what it is");
     return true;
   }

@@ -246,7 +246,8 @@ void UnitReader::read_noun(std::size_t k) {
   if (negated_ && k > 0 && is(previous(k), ChunkKind::kNoun) && noun.determiner == Determiner::kIndefinite) negated_ = false;
   if (negated_) {
     mark(k, Use::kUsed, "not wanted");
-    if (noun.kind == NounKind::kObject || noun.kind == NounKind::kWindow || denies_doors(k)) document_.excluded.push_back(noun);
+    if (noun.kind == NounKind::kObject || noun.kind == NounKind::kWindow || denies_doors(k) || one_of(noun.head, WordSet::kAllFurniture))
+      document_.excluded.push_back(noun);
     return;
   }
   if (noun.kind == NounKind::kOutsideRoom) {

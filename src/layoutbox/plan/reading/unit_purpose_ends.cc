@@ -18,6 +18,10 @@ bool UnitReader::place_after_purpose(std::size_t k) const {
   const bool place = is(n, ChunkKind::kNoun) && (chunk(n).noun.kind == NounKind::kObject || chunk(n).noun.kind == NounKind::kWindow ||
                                                  chunk(n).noun.kind == NounKind::kDoor || chunk(n).noun.kind == NounKind::kCorner);
   if (!place || chunk(n).noun.determiner != Determiner::kDefinite) return false;
+  // "a lamp throws light on the rug": where the light falls
+  const bool falls = is(p, ChunkKind::kNoun) && one_of(chunk(p).noun.head, WordSet::kDaylight) &&
+                     one_of(document_.tokens[chunk(k).first].text, {"on", "over", "onto", "upon", "across", "into"});
+  if (falls) return false;
   const bool light =
       is(p, ChunkKind::kNoun) && chunk(p).noun.determiner == Determiner::kDefinite && one_of(chunk(p).noun.head, WordSet::kFromOutside);
   if (!light && (!is(p, ChunkKind::kNoun) || chunk(p).noun.kind != NounKind::kAbstract)) return false;
@@ -35,7 +39,11 @@ bool UnitReader::follows_whom(std::size_t k) const {
   // "an armchair for me beside the bookcase"
   const bool for_us = is(p, ChunkKind::kPurpose) && document_.tokens[chunk(p).first].text == "for" && chunk(k).first > chunk(p).last &&
                       one_of(document_.tokens[chunk(k).first - 1].text, {"me", "us", "myself", "ourselves"});
-  if (for_us && is(n, ChunkKind::kNoun)) return is_part_of_room(chunk(n).noun) || names_thing(n);
+  // "chairs for the visitors along the wall": who might do something there
+  const bool for_doer = is(p, ChunkKind::kPurpose) && chunk(p).last == chunk(p).first + 1 &&
+                        lexicon_.is(document_.tokens[chunk(p).first], WordClass::kDoer) && is(previous(p), ChunkKind::kPurpose) &&
+                        document_.tokens[chunk(previous(p)).last - 1].text == "for";
+  if ((for_us || for_doer) && is(n, ChunkKind::kNoun)) return is_part_of_room(chunk(n).noun) || names_thing(n);
   if (!is(p, ChunkKind::kNoun) || !is(previous(p), ChunkKind::kPurpose) || !is(n, ChunkKind::kNoun)) return false;
   const std::string& word = document_.tokens[chunk(previous(p)).last - 1].text;
   const NounPhrase &whom = chunk(p).noun, &by = chunk(n).noun;

@@ -184,6 +184,7 @@ void UnitReader::mean_hand_of_owner(std::size_t k) {
   ++at;
   if (says_next({"hand"})) ++at;
   const bool part = says_next({"end", "edge", "half"});  // on it, where it carries that
+  if (part && is(k + 1, ChunkKind::kNoun) && chunk(k + 1).noun.kind == NounKind::kPart) return;
   if (part || says_next({"side", "flank"})) ++at;
   // Not "the desk's left drawer", which is a part.
   std::size_t after = k + 1;
