@@ -98,6 +98,7 @@ class RelationBuilder : private RelationWriter {
   bool add_by_carrier(const Link& link, const PhraseSense& sense, const Mention& target, int reference);
   std::string carrier_said(int item) const;
   bool says_over(const Link& link) const;
+  void settle_lighting(PhraseSense& sense, const NounPhrase& lamp, const NounPhrase& lit) const;
   bool hangs_over(const PhraseSense& sense, const Mention& target, const std::vector<int>& references) const;
   bool add_over_table_between(const Link& link, const PhraseSense& sense, const Mention& target, const std::vector<int>& references);
   void add_for_each(const Link& link, PhraseSense sense, const Mention& target, const std::vector<int>& references);

@@ -75,12 +75,6 @@ bool RelationBuilder::says_top(const Link& link) const {
   return false;
 }
 
-// "over", "above"; "lights up" and "shines on" do not say that it is there.
-bool RelationBuilder::says_over(const Link& link) const {
-  const std::string words = words_between(document_, link.first, link.last);
-  return words.find("over") != std::string::npos || words.find("above") != std::string::npos;
-}
-
 // What the phrase comes to mean by what the two are and where the reference is.
 void RelationBuilder::settle_sense(const Link& link, PhraseSense& sense, const Mention& target, const std::vector<int>& references) const {
   const NounPhrase& host = noun_of_item(references.front());
@@ -95,9 +89,7 @@ void RelationBuilder::settle_sense(const Link& link, PhraseSense& sense, const M
     sense.part = sense.type == R::kLeftOf ? PartWord::kLeft : PartWord::kRight;
     sense.type = R::kOn;
   }
-  // "a floor lamp lights up the armchair": beside it
-  const CatalogEntry* lamp = is_lamp(catalog_, target.noun) && mount == Mount::kFloor && target.noun.exact ? target.noun.entry : nullptr;
-  if (sense.type == R::kAbove && lamp != nullptr && mount_of(host) == Mount::kFloor && !says_over(link)) sense.type = R::kNextTo;
+  if (sense.type == R::kAbove && !says_over(link)) settle_lighting(sense, target.noun, host);
   if (sense.type == R::kAtHeadOf && mount == Mount::kWall) sense.type = R::kAbove;  // "a picture above the head of the bed"
   if (sense.type == R::kOn && sense.part.empty() && says_top(link) && host.entry != nullptr && host.entry->top_carries &&
       std::ranges::any_of(host.entry->spaces, &SpaceFormula::carries))
@@ -189,31 +181,6 @@ bool RelationBuilder::add_under_hung(const Link& link, const PhraseSense& sense,
   if (above != Mount::kWall && above != Mount::kCeiling) return false;
   for (const int reference : references) add(link, R::kAbove, {id(reference)}, {id(target.items.front())});
   return true;
-}
-
-// "nearby", after a small thing that stands on something: by that.
-bool RelationBuilder::add_by_carrier(const Link& link, const PhraseSense& sense, const Mention& target, int reference) {
-  const bool by = sense.type == R::kNear || sense.type == R::kNextTo || sense.type == R::kOpposite;
-  if (!link.implied || !by || mount_of(target.noun) != Mount::kFloor) return false;
-  const std::string host = carrier_said(reference);
-  if (host.empty()) return false;
-  for (const int item : target.items) add(link, sense.type, {id(item)}, {host}, sense);
-  return true;
-}
-
-// What a small thing was said to stand on, or is had by; empty: nothing.
-std::string RelationBuilder::carrier_said(int item) const {
-  if (mount_of(noun_of_item(item)) != Mount::kSurface) return {};
-  for (const Relation& r : scene_.relations) {
-    if (traits_of(r.type).rests && !r.targets.empty() && r.targets.front() == id(item) && !r.references.empty())
-      return r.references.front();
-  }
-  for (const Link& link : document_.links) {
-    if (link.kind != Link::Kind::kHave || !contains(items_of(link.targets), item)) continue;
-    const std::vector<int> hosts = items_of(link.references);
-    if (hosts.size() == 1 && mount_of(noun_of_item(hosts.front())) == Mount::kFloor) return id(hosts.front());
-  }
-  return {};
 }
 
 // "behind the desk a clock is mounted on the wall": above it where the desk itself stands against the wall.

@@ -64,7 +64,9 @@ bool RelationBuilder::is_small(std::size_t index) const {
 bool RelationBuilder::may_lean(std::size_t index) const {
   constexpr Mm kSmall = 400;
   const NounPhrase& noun = document_.items[index].noun;
-  if (!lies_or_hangs(noun) || !noun.exact || std::max(noun.entry->size.usual.width, noun.entry->size.usual.height) > kSmall) return false;
+  if (!lies_or_hangs(noun) || !one_of(noun.head, WordSet::kMayStand) || !noun.exact ||
+      std::max(noun.entry->size.usual.width, noun.entry->size.usual.height) > kSmall)
+    return false;
   return std::ranges::none_of(relations_of(scene_.objects[index].id),
                               [&](std::size_t r) { return stands_elsewhere(scene_.relations[r].type); });
 }
