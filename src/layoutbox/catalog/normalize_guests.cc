@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
+#include <vector>
 
 #include "layoutbox/catalog/normalize_steps.h"
 #include "layoutbox/catalog/trait_table.h"
@@ -249,13 +252,38 @@ void fold_over_seat(const Catalog& catalog, const SceneObject& seat, SceneObject
   cap(*thing.size, &Size::depth, kOfDepth * seat.size->usual.depth);
 }
 
+namespace {
+
+// The relations that hold something, from the floor up: "a fern in a basket on a stool" fits a basket that fits the stool.
+std::vector<Relation> from_floor_up(const SceneGraph& scene) {
+  constexpr int kMostStoreys = 8;
+  std::vector<Relation> all;
+  std::map<std::string, std::string> host_of;
+  for (const Relation& relation : scene.relations) {
+    const bool under = relation.type == RelationType::kUnder || relation.type == RelationType::kTuckedUnder;
+    const bool rests = traits_of(relation.type).rests;
+    if ((!rests && !under) || !relation.hard || relation.references.size() != 1) continue;
+    all.push_back(relation);
+    for (const std::string& target : relation.targets) {
+      if (rests) host_of.emplace(target, relation.references.front());
+    }
+  }
+  const auto storeys = [&](const Relation& relation) {
+    int below = 0;
+    for (auto at = host_of.find(relation.references.front()); at != host_of.end() && below < kMostStoreys; at = host_of.find(at->second))
+      ++below;
+    return below;
+  };
+  std::ranges::stable_sort(all, {}, storeys);
+  return all;
+}
+
+}  // namespace
+
 void normalize_guests(NormalizeContext& context) {
   SceneGraph& scene = context.scene;
-  for (const Relation& relation : scene.relations) {
+  for (const Relation& relation : from_floor_up(scene)) {
     const RelationType type = relation.type;
-    const bool under = type == RelationType::kUnder || type == RelationType::kTuckedUnder;
-    if (!traits_of(type).rests && !under) continue;
-    if (!relation.hard || relation.references.size() != 1) continue;
     const auto host = std::ranges::find(scene.objects, relation.references.front(), &SceneObject::id);
     if (host == scene.objects.end() || !host->size) continue;
     if (type != RelationType::kIn && (host->mount == Mount::kWall || host->mount == Mount::kCeiling)) continue;

@@ -17,6 +17,7 @@ namespace {
 
 constexpr Mm kGap = 20;         // between things that stand side by side
 constexpr Mm kSeatWidth = 620;  // of a table's edge that one person needs
+constexpr Mm kWideSeat = 700;   // an armchair, where a chair has room at its place
 constexpr Mm kElbows = 60;      // between seats at a counter
 constexpr int kSteps = 10;      // from the usual size to the greatest
 constexpr int kMoreSteps = 5;   // as long again as half of that, by a tenth of the greatest each, for what is to be on or in it
@@ -26,6 +27,7 @@ struct Contents {
   std::vector<Size> least_on_top, least_inside;  // … at their least sizes
   int around = 0, along = 0;                     // seats
   int before = 0;
+  Mm seat = 0;                       // width of the widest seat around or along it
   Mm front = 0;                      // width of the seats before it
   Mm abreast = 0;                    // … and of the screens on it, which stand side by side
   std::vector<std::string> screens;  // their ids
@@ -67,11 +69,17 @@ bool carries_all(const CatalogEntry& entry, const SceneObject& host, const Size&
   return true;
 }
 
+// As many places at a table as seats of that width take: an armchair needs more than one.
+int places(int seats, const Contents& contents) {
+  const Mm each = std::max(kSeatWidth, contents.seat + kElbows);
+  return (seats * each + kSeatWidth - 1) / kSeatWidth;
+}
+
 bool holds(const CatalogEntry& entry, const SceneObject& host, const Size& size, const Contents& contents) {
   if (!carries_all(entry, host, size, contents)) return false;
   const double edge = is_round(host, entry) ? std::numbers::pi * size.width : 2.0 * (size.width + size.depth);
-  const Mm width = std::max({contents.front, contents.abreast, (contents.along + 1) / 2 * kSeatWidth});
-  return edge >= 1.0 * contents.around * kSeatWidth && size.width >= width;
+  const Mm width = std::max({contents.front, contents.abreast, places((contents.along + 1) / 2, contents) * kSeatWidth});
+  return edge >= 1.0 * places(contents.around, contents) * kSeatWidth && size.width >= width;
 }
 
 Mm between(Mm from, Mm to, int step) { return from + (to - from) * step / kSteps; }
@@ -95,6 +103,19 @@ Size size_that_holds(const CatalogEntry& entry, const SceneObject& host, const C
   Contents least = contents;  // "a plant stand with three ferns": small ones on a large one
   least.on_top = contents.least_on_top, least.inside = contents.least_inside;
   return carries_all(entry, host, larger, least) ? larger : size;
+}
+
+Mm widest_seat(const Catalog& catalog, const std::map<std::string, const SceneObject*>& by_id, const std::vector<std::string>& ids) {
+  Mm widest = 0;
+  for (const std::string& id : ids) {
+    const auto seat = by_id.find(id);
+    if (seat == by_id.end() || !seat->second->size) continue;
+    const CatalogEntry& entry = catalog.entry_or_nearest(seat->second->category);
+    const Size& size = seat->second->size->usual;
+    const bool for_one = (entry.is(Trait::kSeat) || entry.is(Trait::kEasySeat)) && size.width < 2 * size.depth;
+    if (for_one && size.width > kWideSeat) widest = std::max(widest, size.width);
+  }
+  return widest;
 }
 
 using ById = std::map<std::string, const SceneObject*>;
@@ -129,7 +150,7 @@ void shrink_for_room(const NormalizeContext& context, int seats, const SizeForSe
 // So large as the catalogue says it is for so many, be that larger than such things mostly are.
 void grow_with_seats(const NormalizeContext& context, const CatalogEntry& entry, const Contents& contents, SceneObject& host) {
   const Seating* seating = Groups::builtin().seating_at(context.catalog, entry, context.scene.room.type);
-  const int seats = std::max(contents.around + contents.along, contents.before);
+  const int seats = std::max(places(contents.around + contents.along, contents), contents.before);
   if (seating == nullptr || seats == 0) return;
   const auto wanted = size_for_seats(*seating, is_round(host, entry), seats);
   if (!wanted) return;
@@ -257,6 +278,8 @@ void normalize_hosts(NormalizeContext& context) {
     if (relation.references.size() != 1) continue;
     Contents& contents = hosts[relation.references.front()];
     const int seats = static_cast<int>(relation.targets.size());
+    if (traits_of(relation.type).around || relation.type == RelationType::kAlongSide)
+      contents.seat = std::max(contents.seat, widest_seat(context.catalog, by_id, relation.targets));
     if (traits_of(relation.type).around) contents.around += seats;
     if (relation.type == RelationType::kAlongSide && or_default(relation, &RelationParameters::side) == Side::kLong)
       contents.along += seats;
@@ -286,6 +309,8 @@ void normalize_hosts(NormalizeContext& context) {
     const CatalogEntry& entry = context.catalog.entry_or_nearest(host.category);
     if (entry.thin) continue;
     const Size before = host.size->usual;
+    const Seating* seating = Groups::builtin().seating_at(context.catalog, entry, scene.room.type);
+    if (seating == nullptr || seating->seat.empty()) found->second.seat = 0;  // one does not draw up to a low table
     grow_with_seats(context, entry, found->second, host);
     const Size size = size_that_holds(entry, host, found->second);
     narrow_screens(scene, found->second, size.width);

@@ -82,5 +82,32 @@ TEST(NormalizeHosts, ABarForTwoKeepsItsDepth) {
   EXPECT_GE(scene.objects[0].size->usual.depth, 500);
 }
 
+// Armchairs need more of a table's edge than chairs do.
+TEST(NormalizeHosts, ATableIsLargerForWideSeats) {
+  const auto edge = [](const char* kind) {
+    std::vector<SceneObject> objects{object("table_1", "dining_table")};
+    Relation around = relation(RelationType::kAround, {}, {"table_1"});
+    for (int i = 0; i < 10; ++i) {
+      objects.push_back(object("seat_" + std::to_string(i), kind));
+      around.targets.push_back(objects.back().id);
+    }
+    const Size size = with_whole_catalogue(scene_of(objects, {around})).objects[0].size->usual;
+    return 2 * (size.width + size.depth);
+  };
+  EXPECT_GE(edge("armchair"), 10 * 780);
+  EXPECT_LT(edge("dining_chair"), 10 * 780);
+}
+
+// Whatever the order in which it is said.
+TEST(NormalizeHosts, WhatIsInSomethingFitsItWhereThatFitsWhatItStandsOn) {
+  const SceneGraph scene = with_whole_catalogue(
+      scene_of({object("fern_1", "fern"), object("basket_1", "basket"), object("stool_1", "stool")},
+               {relation(RelationType::kIn, {"fern_1"}, {"basket_1"}), relation(RelationType::kOn, {"basket_1"}, {"stool_1"})}));
+  const auto width = [&](std::size_t i) { return scene.objects[i].size->usual.width; };
+  const auto least = [&](std::size_t i) { return scene.objects[i].size->least.width; };
+  EXPECT_LE(least(0), width(1));
+  EXPECT_LE(width(1), width(2));
+}
+
 }  // namespace
 }  // namespace layoutbox

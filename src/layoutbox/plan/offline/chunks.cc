@@ -159,6 +159,9 @@ PhraseMatch Chunker::phrase_here() const {
   if (last == "hand" && lexicon_.is(tokens_[after], WordClass::kSide)) return lexicon_.find_phrase(tokens_.first(i_ + 1), i_);
   const bool end = last == "end" || last == "edge";
   if (phrase.possessive && end && tokens_[after - 2].text == "right") return lexicon_.find_phrase(tokens_.first(i_ + 1), i_);
+  // "at the back edge of the table": of the table, not of the room.
+  const bool part_follows = lexicon_.is(tokens_[after], WordClass::kSide) && !one_of(tokens_[after].text, {"left", "right"});
+  if ((last == "back" || last == "front") && part_follows) return lexicon_.find_phrase(tokens_.first(i_ + 1), i_);
   if (last != "left" && last != "right" && last != "side") return phrase;
   // "on the left and right walls": not on the left.
   if (joins_walls(lexicon_, tokens_, after)) return lexicon_.find_phrase(tokens_.first(i_ + 1), i_);

@@ -127,6 +127,8 @@ bool is_platform(const NounPhrase& host) {
   return host.entry->mount == Mount::kFloor && usual.height <= kLow && 1.0 * usual.width * usual.depth >= kWide;
 }
 
+}  // namespace
+
 // What is made for the wall and flat, as a poster or a mirror, may as well lie or stand on something.
 bool lies_or_hangs(const NounPhrase& item) {
   constexpr Mm kFlat = 60;
@@ -134,12 +136,15 @@ bool lies_or_hangs(const NounPhrase& item) {
          (item.entry->size.usual.depth <= kFlat || one_of(item.head, WordSet::kMayStand));
 }
 
-}  // namespace
-
 bool is_for_several(const NounPhrase& noun) {
   constexpr int kLong = 2;
   return noun.entry != nullptr && !noun.plural && noun.entry->is(Trait::kSeat) &&
          noun.entry->size.usual.width >= kLong * noun.entry->size.usual.depth;
+}
+
+bool is_drawn_up(const Catalog& catalog, const NounPhrase& noun) {
+  const bool sofa = one_of(noun.head, WordSet::kSeatsForSeveral) && noun.head != "bench";
+  return is_seat(catalog, noun) && !sofa && (noun.entry == nullptr || !noun.entry->is(Trait::kEasySeat));
 }
 
 bool may_carry(const Catalog& catalog, const NounPhrase& host, const NounPhrase& item) {

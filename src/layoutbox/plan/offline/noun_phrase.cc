@@ -249,6 +249,15 @@ void NounPhraseReader::read_of() {
   const std::size_t stuff = lexicon_.find(tokens_, i_ + 1, WordClass::kMaterial).length;
   const bool furniture = bare && phrase_.entry != nullptr && phrase_.entry->mount == Mount::kFloor;
   if (furniture && stuff > 0 && base->last == i_ + 1 + stuff && base->determiner == Determiner::kNone && base->count == 0) return;
+  // "the lower shelf of a bookcase": a part of what has shelves, not what is on them ("a shelf of books")
+  const bool has_it = base->kind == NounKind::kObject && base->entry != nullptr && base->entry->mount == Mount::kFloor &&
+                      !base->is_plural() && base->determiner != Determiner::kNone;
+  if (bare && phrase_.head == "shelf" && has_it && phrase_.count <= 1 && !phrase_.plural) {
+    phrase_.kind = NounKind::kPart;
+    i_ = base->last;
+    phrase_.of = std::make_shared<NounPhrase>(std::move(*base));
+    return;
+  }
   // "a shoebox of a bedroom" at the very beginning; a "model of a theater" is a thing
   constexpr std::size_t kOpening = 4;
   if (bare && phrase_.first < kOpening && base->kind == NounKind::kRoom && base->determiner == Determiner::kIndefinite) {

@@ -107,7 +107,7 @@ void References::mean_part(Mention& mention, int antecedent) {
     mention.distributes = document_.mentions[static_cast<std::size_t>(base)].distributes;  // "along the front of each bench"
     return;
   }
-  const bool spot = noun.kind == NounKind::kCorner || noun.kind == NounKind::kCenter;
+  const bool spot = noun.kind == NounKind::kCorner || noun.kind == NounKind::kCenter || noun.head == "edge";
   if (antecedent < 0 || (noun.determiner != Determiner::kPossessive && noun.kind != NounKind::kPart && !spot)) return;
   const Mention& meant = document_.mentions[static_cast<std::size_t>(antecedent)];
   if (spot) mention.noun.of = std::make_shared<NounPhrase>(meant.noun);

@@ -32,6 +32,13 @@ int likeness(const NounPhrase& wanted, const NounPhrase& item) {
          (wanted.entry->is(Trait::kKitchenRun) == item.entry->is(Trait::kKitchenRun) ? 1 : 0);
 }
 
+// "the desk … the table", where the desk was named for the first time as if known: two things, though a desk is a kind of table.
+bool is_contrasted(const NounPhrase& wanted, const NounPhrase& item) {
+  if (wanted.determiner != Determiner::kDefinite || item.determiner != Determiner::kDefinite || wanted.is_plural()) return false;
+  if (!wanted.exact || !item.exact || wanted.entry == item.entry || wanted.name.find(' ') != std::string::npos) return false;
+  return wanted.entry->is(Trait::kTable) && !item.name.ends_with(wanted.head) && !item.entry->name.ends_with(wanted.head);
+}
+
 // What is said of it and what was said of the other.
 int qualities_shared(const NounPhrase& wanted, const NounPhrase& item) {
   int score = 0;
@@ -63,6 +70,11 @@ int References::fit(const NounPhrase& wanted, const NounPhrase& item) const {
   if (owner != std::string::npos && wanted.head != item.head && item.name.find(wanted.name.substr(0, owner)) == std::string::npos) return 0;
   if (wanted.name.starts_with(item.name + " ") && one_of(wanted.name.substr(item.name.size() + 1), WordSet::kPartsCalledAfter)) return 3;
   if (wanted.exact && item.exact && wanted.entry == item.entry) return 3;
+  // "a bar table … on the bar": short for it, where both have a top.
+  const bool for_short = wanted.determiner == Determiner::kDefinite && wanted.exact && item.entry != nullptr &&
+                         wanted.entry->is(Trait::kCounter) && item.name == wanted.name + " table" && item.entry->top_carries;
+  if (for_short) return 3;
+  if (is_contrasted(wanted, item)) return 0;
   // "a console table … on the console": what no list has is short for what was named.
   if (!wanted.exact && wanted.determiner == Determiner::kDefinite && item.name.starts_with(wanted.name + " ")) return 2;
   if (last_word(wanted.name) == last_word(item.name) &&

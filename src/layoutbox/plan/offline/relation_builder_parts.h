@@ -100,6 +100,9 @@ class RelationBuilder : private RelationWriter {
   bool add_by_one(const Link& link, const PhraseSense& sense, const Mention& target, int reference);
   bool add_under_hung(const Link& link, const PhraseSense& sense, const Mention& target, const std::vector<int>& references);
   bool add_by_carrier(const Link& link, const PhraseSense& sense, const Mention& target, int reference);
+  std::string carrier_said(int item) const;
+  bool says_over(const Link& link) const;
+  void settle_lighting(PhraseSense& sense, const NounPhrase& lamp, const NounPhrase& lit) const;
   bool hangs_over(const PhraseSense& sense, const Mention& target, const std::vector<int>& references) const;
   bool add_over_table_between(const Link& link, const PhraseSense& sense, const Mention& target, const std::vector<int>& references);
   void add_for_each(const Link& link, PhraseSense sense, const Mention& target, const std::vector<int>& references);
@@ -254,6 +257,7 @@ class RelationBuilder : private RelationWriter {
   void drop_implied_support();
   std::string said_support(const std::string& object) const;
   bool is_small(std::size_t index) const;
+  bool may_lean(std::size_t index) const;
   std::vector<std::vector<std::size_t>> small_neighbours() const;
   std::string host_with_room(std::string host, const NounPhrase& thing) const;
   std::string host_spoken_of(std::size_t index);

@@ -299,7 +299,8 @@ void RelationBuilder::add_habits() {
         !is_seat(catalog_, thing))
       scene_.relations[r].parameters.max = kAcrossTheRoom;
     // "A desk facing a chair": whoever sits there looks at the desk.
-    if (relation.type == R::kFacing && target->category != reference->category && is_seat(catalog_, other) &&
+    // … at a sofa or an armchair the desk itself looks.
+    if (relation.type == R::kFacing && target->category != reference->category && is_drawn_up(catalog_, other) &&
         catalog_.entry_or_nearest(target->category).is(Trait::kDeskLike))
       std::swap(scene_.relations[r].targets, scene_.relations[r].references);
     // One thing in front of another stands in the middle of it.

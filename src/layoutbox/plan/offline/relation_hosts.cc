@@ -1,4 +1,4 @@
-// What a thing has, before places are given out: what is said of its chairs is said of a table, sinks are let into tops.
+// What a thing has, before places are given out, and what carries or lights another: what is said of its chairs is said of a table.
 #include <algorithm>
 
 #include "layoutbox/catalog/kin.h"
@@ -6,6 +6,7 @@
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
+#include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox::offline {
 
@@ -106,6 +107,48 @@ void RelationBuilder::let_in(int m, const CatalogEntry& host) {
     become(document_.items[static_cast<std::size_t>(item)].noun);
     scene_.objects[static_cast<std::size_t>(item)].category = form->id;
   }
+}
+
+// "over", "above"; "lights up" and "shines on" do not say that it is there.
+bool RelationBuilder::says_over(const Link& link) const {
+  const std::string words = words_between(document_, link.first, link.last);
+  return words.find("over") != std::string::npos || words.find("above") != std::string::npos;
+}
+
+// "a floor lamp lights up the armchair", "a desk lamp lights the desk": what stands is beside it or on it.
+void RelationBuilder::settle_lighting(PhraseSense& sense, const NounPhrase& lamp, const NounPhrase& lit) const {
+  if (!is_lamp(catalog_, lamp) || !lamp.exact) return;
+  const bool hung = kind_at(catalog_, lamp.entry->id, Place::kOnCeiling) != nullptr;  // a lamp of any kind
+  if (mount_of(lamp) == Mount::kFloor) {
+    sense.type = mount_of(lit) == Mount::kFloor ? R::kNextTo : R::kNear;
+  } else if (mount_of(lamp) == Mount::kSurface && !hung) {
+    sense.type = may_carry(catalog_, lit, lamp) ? R::kOn : R::kNextTo;
+  }
+}
+
+// "nearby", after a small thing that stands on something: by that.
+bool RelationBuilder::add_by_carrier(const Link& link, const PhraseSense& sense, const Mention& target, int reference) {
+  const bool by = sense.type == R::kNear || sense.type == R::kNextTo || sense.type == R::kOpposite;
+  if (!link.implied || !by || mount_of(target.noun) != Mount::kFloor) return false;
+  const std::string host = carrier_said(reference);
+  if (host.empty()) return false;
+  for (const int item : target.items) add(link, sense.type, {id(item)}, {host}, sense);
+  return true;
+}
+
+// What a small thing was said to stand on, or is had by; empty: nothing.
+std::string RelationBuilder::carrier_said(int item) const {
+  if (mount_of(noun_of_item(item)) != Mount::kSurface) return {};
+  for (const Relation& r : scene_.relations) {
+    if (traits_of(r.type).rests && !r.targets.empty() && r.targets.front() == id(item) && !r.references.empty())
+      return r.references.front();
+  }
+  for (const Link& link : document_.links) {
+    if (link.kind != Link::Kind::kHave || !contains(items_of(link.targets), item)) continue;
+    const std::vector<int> hosts = items_of(link.references);
+    if (hosts.size() == 1 && mount_of(noun_of_item(hosts.front())) == Mount::kFloor) return id(hosts.front());
+  }
+  return {};
 }
 
 }  // namespace layoutbox::offline

@@ -16,6 +16,7 @@ using R = RelationType;
 using Direction = PhraseSense::Direction;
 
 bool RelationBuilder::lie_on(const Link& link, const std::vector<int>& items, int host) const {
+  constexpr Mm kEyes = 1400;
   const NounPhrase& carrier = noun_of_item(host);
   // At the sides of a stage, a throne or a piano things stand on the floor, at the ends of a mantel on it.
   const bool ends = words_between(document_, link.first, link.last).find("end") != std::string::npos;
@@ -26,6 +27,8 @@ bool RelationBuilder::lie_on(const Link& link, const std::vector<int>& items, in
   return std::all_of(items.begin(), items.end(), [&](int item) {
     const std::vector<std::string>& qualities = noun_of_item(item).attributes;
     if (std::find(qualities.begin(), qualities.end(), "tall") != qualities.end()) return false;  // beside it
+    // What flanks a bookcase stands beside it: nobody sees it up there.
+    if (!ends && is_storage(carrier) && carrier.entry->size.usual.height > kEyes) return false;
     // Loudspeakers flank a sideboard on the floor.
     if (one_of(noun_of_item(item).head, {"speaker", "loudspeaker"}) && !ends && !is_table(catalog_, carrier)) return false;
     return mount_of(noun_of_item(item)) == Mount::kSurface && may_carry(catalog_, carrier, noun_of_item(item));

@@ -109,6 +109,7 @@ void RelationBuilder::settle_sense(const Link& link, PhraseSense& sense, const M
     sense.part = sense.type == R::kLeftOf ? PartWord::kLeft : PartWord::kRight;
     sense.type = R::kOn;
   }
+  if (sense.type == R::kAbove && !says_over(link)) settle_lighting(sense, target.noun, host);
   if (sense.type == R::kAtHeadOf && mount == Mount::kWall) sense.type = R::kAbove;  // "a picture above the head of the bed"
   if (sense.type == R::kOn && sense.part.empty() && says_top(link) && host.entry != nullptr && host.entry->top_carries &&
       std::ranges::any_of(host.entry->spaces, &SpaceFormula::carries))
@@ -200,20 +201,6 @@ bool RelationBuilder::add_under_hung(const Link& link, const PhraseSense& sense,
   if (above != Mount::kWall && above != Mount::kCeiling) return false;
   for (const int reference : references) add(link, R::kAbove, {id(reference)}, {id(target.items.front())});
   return true;
-}
-
-// "nearby", after a small thing that stands on something: by that.
-bool RelationBuilder::add_by_carrier(const Link& link, const PhraseSense& sense, const Mention& target, int reference) {
-  const bool by = sense.type == R::kNear || sense.type == R::kNextTo || sense.type == R::kOpposite;
-  if (!link.implied || !by || mount_of(target.noun) != Mount::kFloor) return false;
-  for (const Relation& r : scene_.relations) {
-    const bool carried = traits_of(r.type).rests && !r.targets.empty() && r.targets.front() == id(reference) && !r.references.empty();
-    if (!carried) continue;
-    const std::string host = r.references.front();
-    for (const int item : target.items) add(link, sense.type, {id(item)}, {host}, sense);
-    return true;
-  }
-  return false;
 }
 
 // "behind the desk a clock is mounted on the wall": above it where the desk itself stands against the wall.

@@ -89,6 +89,7 @@ class SenseChooser {
     return std::any_of(senses_.begin(), senses_.end(),
                        [&](const PhraseSense& s) { return traits_of(s.type).*so && s.direction == direction_; });
   }
+  bool says_at() const { return says_any({R::kNextTo, R::kAlongSide}) && !says(R::kNear); }
   bool says_any(std::initializer_list<R> types) const {
     return std::any_of(types.begin(), types.end(), [&](R type) { return says(type); });
   }
@@ -219,9 +220,12 @@ class SenseChooser {
       sense.side = has_word("long") ? Side::kLong : Side::kShort;
       return sense;
     }
-    // "clamped to its right edge"
-    const bool on_edge = reference_.head == "edge" && says(R::kOn) && mount_of(target_) == Mount::kSurface;
-    if (on_edge && (reference_.wall_word == "left" || reference_.wall_word == "right")) return on_part(ThingPart(reference_.wall_word));
+    // "clamped to its right edge"; what lies on such things is at the edge of the top: "a plate at its edge".
+    const NounPhrase* whole = reference_.of && reference_.of->kind == NounKind::kObject ? reference_.of.get() : nullptr;
+    const bool top = whole != nullptr && (whole->entry == nullptr || !whole->entry->thin) && may_carry(catalog_, *whole, target_);
+    const bool on_edge = reference_.head == "edge" && mount_of(target_) == Mount::kSurface && (says(R::kOn) || (top && says_at()));
+    if (on_edge && one_of(reference_.wall_word, {"left", "right", "front", "back"})) return on_part(ThingPart(reference_.wall_word));
+    if (on_edge && top && reference_.wall_word.empty()) return on_part(PartWord::kFront);
     if (reference_.wall_word == "left") return own(R::kLeftOf);
     if (reference_.wall_word == "right") return own(R::kRightOf);
     if (reference_.is_plural()) return own(R::kEachSideOf);

@@ -60,6 +60,17 @@ bool RelationBuilder::is_small(std::size_t index) const {
          std::none_of(all.begin(), all.end(), [&](std::size_t r) { return stands_elsewhere(scene_.relations[r].type); });
 }
 
+// "On the mantel a clock; beside the clock, a photo": what is flat and hangs by itself leans there beside what stands on something.
+bool RelationBuilder::may_lean(std::size_t index) const {
+  constexpr Mm kSmall = 400;
+  const NounPhrase& noun = document_.items[index].noun;
+  if (!lies_or_hangs(noun) || !one_of(noun.head, WordSet::kMayStand) || !noun.exact ||
+      std::max(noun.entry->size.usual.width, noun.entry->size.usual.height) > kSmall)
+    return false;
+  return std::ranges::none_of(relations_of(scene_.objects[index].id),
+                              [&](std::size_t r) { return stands_elsewhere(scene_.relations[r].type); });
+}
+
 // Who stands beside whom, of the small things; things beside furniture or walls are left out.
 std::vector<std::vector<std::size_t>> RelationBuilder::small_neighbours() const {
   std::vector<std::vector<std::size_t>> beside(scene_.objects.size());
@@ -73,7 +84,8 @@ std::vector<std::vector<std::size_t>> RelationBuilder::small_neighbours() const 
     for (const std::vector<std::string>* ids : {&relation.targets, &relation.references}) {
       for (const std::string& id : *ids) all.push_back(index_of(id));
     }
-    if (!std::all_of(all.begin(), all.end(), [&](std::size_t i) { return i < scene_.objects.size() && is_small(i); })) continue;
+    if (!std::all_of(all.begin(), all.end(), [&](std::size_t i) { return i < scene_.objects.size() && (is_small(i) || may_lean(i)); }))
+      continue;
     for (std::size_t i = 1; i < all.size(); ++i) {
       beside[all[0]].push_back(all[i]);
       beside[all[i]].push_back(all[0]);
@@ -194,7 +206,7 @@ void RelationBuilder::carry_support() {
   spread();
   for (const auto& [thing, host] : lit_on_tables()) conclude(thing, host);
   for (std::size_t i = 0; i < supports.size(); ++i) {
-    if (beside[i].empty() || !supports[i].empty() || is_light_box(document_.items[i].noun)) continue;
+    if (beside[i].empty() || !supports[i].empty() || is_light_box(document_.items[i].noun) || !is_small(i)) continue;
     const std::string host = own_of_several(i, host_spoken_of(i));
     if (host.empty() || host == scene_.objects[i].id) continue;
     conclude(i, host);

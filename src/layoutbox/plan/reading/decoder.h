@@ -147,6 +147,8 @@ class Decoder {
   bool lies_on_placed(int u, const NounPhrase& host) const;
   double closing_score(const State& state, int u, Referent owner, const NounPhrase& host) const;
   double content_list_score(const State& state, int member, int u) const;
+  bool told_alike(int predicate, int u) const;
+  bool is_bare_after_comma(int u) const;
   bool looked_at_elsewhere(const NounPhrase& host, const NounPhrase& noun) const;
   double list_kind_score(const State& state, int member, int u, std::size_t length) const;
   double reference_list_score(const State& state, int member, int u) const;

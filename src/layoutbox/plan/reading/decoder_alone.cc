@@ -270,8 +270,11 @@ void Decoder::alone_of_room(std::size_t s, int u, std::size_t level, double gain
   const CatalogEntry* entry = noun_of(state, member).entry;
   const bool let_in = entry != nullptr && kind_at(lexicon_.catalog(), entry->id, Place::kSetIn) != nullptr && is_thing(state, host) &&
                       noun_of(state, host).entry != nullptr && noun_of(state, host).entry->is(Trait::kCounter);
+  // "a rug with a table at its center": of what has the table
+  const bool its = says(senses, RelationType::kCenterOfRoom) && says_its(u);
+  const bool of_host = its && is_thing(state, host);
   const bool lies =
-      says(senses, RelationType::kCenterOfRoom) && (mount_of(noun_of(state, member)) == Mount::kSurface || on_fronted || let_in);
+      says(senses, RelationType::kCenterOfRoom) && (mount_of(noun_of(state, member)) == Mount::kSurface || on_fronted || let_in || of_host);
   // "a desk with a chair at the back": behind the desk.
   const bool end = says(senses, RelationType::kInRegion) && mount_of(noun_of(state, member)) == Mount::kFloor && is_thing(state, host) &&
                    unit(u).joiner == Joiner::kNone && std::any_of(senses.begin(), senses.end(), [](const PhraseSense& sense) {
@@ -288,6 +291,8 @@ void Decoder::alone_of_room(std::size_t s, int u, std::size_t level, double gain
   for (const Candidate& meant : lies&& host == kNobody && state.fronted.empty() ? carriers(state, member) : std::vector<Candidate>{})
     add(s, kAttachAlone, gain + meant.score, member, member, meant.referent);
   if (lies && is_thing(state, carrier)) add(s, kAttachAlone, gain + 1, member, member, carrier);
+  // "a bowl on a table at its center": the table is not at its own
+  if (its && read_as(state, member).role == NounRole::kReference) gain += weight::kLiesTwice;
   // "a bed with two nightstands in the middle", "desks with chairs in rows": the bed and the desks
   if (comes_with(state, member) && unit(u).joiner == Joiner::kNone &&
       (many ? several(state, host) : says(senses, RelationType::kCenterOfRoom)))

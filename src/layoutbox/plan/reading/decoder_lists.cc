@@ -178,6 +178,13 @@ bool Decoder::goes_on_apart(const NounPhrase& host, const NounPhrase& noun, Join
   return mount_of(noun) == Mount::kFloor || (joiner == Joiner::kComma && is_seat(lexicon_.catalog(), host));
 }
 
+// "a fireplace flanked by bookcases and a sofa flanked by lamps": what has the same said of it is another thing of its kind.
+bool Decoder::told_alike(int predicate, int u) const {
+  const int place = follows(u, UnitKind::kParticiple) ? u + 2 : u + 1;
+  return is(predicate, UnitKind::kPlace) && is(place, UnitKind::kPlace) && unit(place).joiner == Joiner::kNone &&
+         !unit(place).inverse.empty() && word(place) == word(predicate);
+}
+
 // "a desk with a lamp and a clock": the clock is the desk's as well.
 double Decoder::content_list_score(const State& state, int member, int u) const {
   const UnitReading& reading = read_as(state, member);
@@ -205,6 +212,7 @@ double Decoder::content_list_score(const State& state, int member, int u) const 
   if (joiner == Joiner::kCommaAnd) score += length > 1 ? 0.6 : -1.2;
   if (shares_article(noun, former)) score += joiner == Joiner::kAnd ? weight::kShareArticle : 0;
   const bool inverse = read_as(state, predicate).inverse;
+  if (told_alike(predicate, u)) score += weight::kListEnded;
   if (reading.placed && !inverse && goes_on_apart(host, noun, joiner)) score -= 2;
   if (noun.determiner == Determiner::kDefinite) score -= 1.5;
   if (owner == kNobody || host.kind != NounKind::kObject) return score + (host.kind == NounKind::kWall ? 0.5 : 0);

@@ -339,6 +339,13 @@ bool Decoder::is_fresh(int u) const {
          (noun.kind == NounKind::kObject && definite && !known_[static_cast<std::size_t>(u)]);
 }
 
+// "… and, beside the lamp, books"
+bool Decoder::is_bare_after_comma(int u) const {
+  const NounPhrase& noun = chunk(u).noun;
+  return noun.kind == NounKind::kObject && noun.determiner == Determiner::kNone && noun.plural && noun.first > 0 &&
+         document_.tokens[noun.first - 1].text == ",";
+}
+
 // After a comma or "and" it may as well come before its own thing.
 void Decoder::first_place_actions(std::size_t s, int u) {
   const State& state = states_[s];
@@ -360,7 +367,8 @@ void Decoder::first_place_actions(std::size_t s, int u) {
   double pattern = -4;
   const bool known = is_known_noun(noun) || known_[static_cast<std::size_t>(u + 1)];
   // "… and on a low shelf a statue": of a thing that comes right after it, even where the shelf is new.
-  if (is(after, UnitKind::kNoun) && unit(after).joiner == Joiner::kNone && is_fresh(after)) pattern = known ? 3 : 2;
+  if (is(after, UnitKind::kNoun) && unit(after).joiner == Joiner::kNone && (is_fresh(after) || (begins && is_bare_after_comma(after))))
+    pattern = known ? 3 : 2;
   // "above the mantel hung a map"
   const bool hung = is(after, UnitKind::kParticiple) && unit(after).joiner == Joiner::kNone && is(after + 1, UnitKind::kNoun) &&
                     unit(after + 1).joiner == Joiner::kNone && is_fresh(after + 1);

@@ -90,7 +90,10 @@ bool UnitReader::reads_as_verb(std::size_t k) const {
   const bool would = is(p, ChunkKind::kVerb) && chunk(p).passive && is(previous(p), ChunkKind::kNoun);  // "would look good in the corner"
   if (skipping_ || chunk(k).last - chunk(k).first != 1 || !(is(p, ChunkKind::kNoun) || would)) return false;
   const std::size_t n = next(k);
-  if (!is(n, ChunkKind::kRelation) || !is(next(n), ChunkKind::kNoun)) return false;
+  // "a cat naps on it"
+  const bool by_it = is(n, ChunkKind::kRelation) && is(p, ChunkKind::kNoun) && chunk(p).noun.kind == NounKind::kObject &&
+                     document_.tokens[chunk(n).last - 1].text == "it";
+  if (!is(n, ChunkKind::kRelation) || !(by_it || is(next(n), ChunkKind::kNoun))) return false;
   const std::string& word = document_.tokens[chunk(k).first].text;
   return word_form(word) == WordForm::kVerb && !lexicon_.is(document_.tokens[chunk(k).first], WordClass::kPurpose);
 }
