@@ -266,6 +266,19 @@ void fold_over_seats(const Catalog& catalog, SceneGraph& scene) {
   }
 }
 
+// Who sits at the one that the relation names.
+void count_seats(const Catalog& catalog, const ById& by_id, const Relation& relation, Contents& contents) {
+  const int seats = static_cast<int>(relation.targets.size());
+  const bool around = traits_of(relation.type).around, along = relation.type == RelationType::kAlongSide;
+  if (around || along) contents.seat = std::max(contents.seat, widest_seat(catalog, by_id, relation.targets));
+  if (around) contents.around += seats;
+  if (along && or_default(relation, &RelationParameters::side) == Side::kLong) contents.along += seats;
+  if (relation.type != RelationType::kInFrontOf && relation.type != RelationType::kBehind) return;
+  const Mm width = seat_width(catalog, by_id, relation.targets);
+  contents.front += width;
+  contents.before += width > 0 ? seats : 0;
+}
+
 }  // namespace
 
 void normalize_hosts(NormalizeContext& context) {
@@ -277,17 +290,7 @@ void normalize_hosts(NormalizeContext& context) {
   for (const Relation& relation : scene.relations) {
     if (relation.references.size() != 1) continue;
     Contents& contents = hosts[relation.references.front()];
-    const int seats = static_cast<int>(relation.targets.size());
-    if (traits_of(relation.type).around || relation.type == RelationType::kAlongSide)
-      contents.seat = std::max(contents.seat, widest_seat(context.catalog, by_id, relation.targets));
-    if (traits_of(relation.type).around) contents.around += seats;
-    if (relation.type == RelationType::kAlongSide && or_default(relation, &RelationParameters::side) == Side::kLong)
-      contents.along += seats;
-    if (relation.type == RelationType::kInFrontOf || relation.type == RelationType::kBehind) {
-      const Mm width = seat_width(context.catalog, by_id, relation.targets);
-      contents.front += width;
-      contents.before += width > 0 ? seats : 0;
-    }
+    count_seats(context.catalog, by_id, relation, contents);
     const bool on = relation.type == RelationType::kOn, in = relation.type == RelationType::kIn;
     for (const std::string& target : relation.targets) {
       const auto thing = by_id.find(target);

@@ -111,8 +111,11 @@ void RelationBuilder::let_in(int m, const CatalogEntry& host) {
 
 // "over", "above"; "lights up" and "shines on" do not say that it is there.
 bool RelationBuilder::says_over(const Link& link) const {
-  const std::string words = words_between(document_, link.first, link.last);
-  return words.find("over") != std::string::npos || words.find("above") != std::string::npos;
+  const auto first = document_.tokens.begin() + static_cast<std::ptrdiff_t>(link.first),
+             last = document_.tokens.begin() + static_cast<std::ptrdiff_t>(link.last);
+  return std::any_of(first, last, [](const Token& token) {
+    return token.text == "above" || token.text.find("over") != std::string::npos;  // "overhead"
+  });
 }
 
 // "a floor lamp lights up the armchair", "a desk lamp lights the desk": what stands is beside it or on it.

@@ -114,6 +114,8 @@ class Decoder {
   void front_alone_actions(std::size_t s, int u, double gain);
   void alone_of_member(std::size_t s, int u, std::size_t level, int nearer);
   void alone_of_list(std::size_t s, int u, std::size_t level, const Candidate& meant);
+  bool is_at_center_of_host(const State& state, int u, Referent member) const;
+  double own_center_score(const State& state, int u, int member) const;
   void alone_of_room(std::size_t s, int u, std::size_t level, double gain);
   void attach_actions(std::size_t s, int u, Kind kind);
   bool says_around(int u) const;

@@ -250,6 +250,18 @@ void Decoder::alone_of_list(std::size_t s, int u, std::size_t level, const Candi
   }
 }
 
+// "a rug with a table at its center": of what has the table, not of the room.
+bool Decoder::is_at_center_of_host(const State& state, int u, Referent member) const {
+  const Referent host = host_of(state, member);
+  return says_its(u) && is_thing(state, host) && sense_.carries(noun_of(state, host), noun_of(state, member));
+}
+
+// "a bowl on a table at its center": the table is not at its own.
+double Decoder::own_center_score(const State& state, int u, int member) const {
+  const bool its = says(alone_senses(u), RelationType::kCenterOfRoom) && says_its(u);
+  return its && read_as(state, member).role == NounRole::kReference ? weight::kLiesTwice : 0;
+}
+
 // "in a row", "in the center", "at the back": of the room, or of what has or carries the thing.
 void Decoder::alone_of_room(std::size_t s, int u, std::size_t level, double gain) {
   const State& state = states_[s];
@@ -270,11 +282,8 @@ void Decoder::alone_of_room(std::size_t s, int u, std::size_t level, double gain
   const CatalogEntry* entry = noun_of(state, member).entry;
   const bool let_in = entry != nullptr && kind_at(lexicon_.catalog(), entry->id, Place::kSetIn) != nullptr && is_thing(state, host) &&
                       noun_of(state, host).entry != nullptr && noun_of(state, host).entry->is(Trait::kCounter);
-  // "a rug with a table at its center": of what has the table
-  const bool its = says(senses, RelationType::kCenterOfRoom) && says_its(u);
-  const bool of_host = its && is_thing(state, host);
-  const bool lies =
-      says(senses, RelationType::kCenterOfRoom) && (mount_of(noun_of(state, member)) == Mount::kSurface || on_fronted || let_in || of_host);
+  const bool lies = says(senses, RelationType::kCenterOfRoom) &&
+                    (mount_of(noun_of(state, member)) == Mount::kSurface || on_fronted || let_in || is_at_center_of_host(state, u, member));
   // "a desk with a chair at the back": behind the desk.
   const bool end = says(senses, RelationType::kInRegion) && mount_of(noun_of(state, member)) == Mount::kFloor && is_thing(state, host) &&
                    unit(u).joiner == Joiner::kNone && std::any_of(senses.begin(), senses.end(), [](const PhraseSense& sense) {
@@ -291,8 +300,7 @@ void Decoder::alone_of_room(std::size_t s, int u, std::size_t level, double gain
   for (const Candidate& meant : lies&& host == kNobody && state.fronted.empty() ? carriers(state, member) : std::vector<Candidate>{})
     add(s, kAttachAlone, gain + meant.score, member, member, meant.referent);
   if (lies && is_thing(state, carrier)) add(s, kAttachAlone, gain + 1, member, member, carrier);
-  // "a bowl on a table at its center": the table is not at its own
-  if (its && read_as(state, member).role == NounRole::kReference) gain += weight::kLiesTwice;
+  gain += own_center_score(state, u, member);
   // "a bed with two nightstands in the middle", "desks with chairs in rows": the bed and the desks
   if (comes_with(state, member) && unit(u).joiner == Joiner::kNone &&
       (many ? several(state, host) : says(senses, RelationType::kCenterOfRoom)))
