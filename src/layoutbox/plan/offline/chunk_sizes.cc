@@ -79,7 +79,7 @@ bool Chunker::read_distance() {
   const Gap gap = gap_here();
   bool apart = gap.said;
   at = gap.at;
-  if (at >= tokens_.size() || follows_of()) return false;
+  if (at >= tokens_.size()) return false;
   if (tokens_[at].text == "within") at_most = true, ++at;
   at_least = skip_class(WordClass::kAtLeast) || skip_class(WordClass::kMoreThan);
   at_most |= skip_class(WordClass::kAtMost);

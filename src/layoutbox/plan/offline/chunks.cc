@@ -53,7 +53,7 @@ bool Chunker::read_owned_side() {
 }
 
 void Chunker::read() {
-  if (read_owned_side() || read_flush() || read_hung_at() || read_distance() || read_lettered_size() || read_bare_length() ||
+  if (read_owned_side() || read_flush() || read_hung_at() || read_length_from() || read_lettered_size() || read_bare_length() ||
       read_size_chunk() || read_rows() || read_infinitive() || read_wishing() || read_finding() || read_doing() || read_built_place() ||
       read_having_by() || read_manner() || read_trailing_bound() || read_look())
     return;

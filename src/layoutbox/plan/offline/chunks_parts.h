@@ -154,6 +154,7 @@ class Chunker {
   bool read_lettered_size();
   bool follows_of() const;
   bool read_bare_length();
+  bool read_length_from() { return !follows_of() && read_distance(); }
   bool is_thing_as_verb(const Match& match) const;
   void read_small_word();
   const Lexicon& lexicon_;

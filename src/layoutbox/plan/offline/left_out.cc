@@ -35,6 +35,16 @@ bool is_part_of_no_thing(const Document& document, std::size_t k) {
   return false;
 }
 
+// "the acoustics matter": what a clause is about.
+bool tells_of_it(const Document& document, std::size_t k) {
+  const NounPhrase& noun = document.chunks[k].noun;
+  if (noun.determiner != Determiner::kDefinite || k + 1 >= document.chunks.size()) return false;
+  const ChunkKind before = k == 0 ? ChunkKind::kStop : document.chunks[k - 1].kind, after = document.chunks[k + 1].kind;
+  const bool begins =
+      before == ChunkKind::kStop || before == ChunkKind::kAnd || before == ChunkKind::kClause || before == ChunkKind::kComma;
+  return begins && after != ChunkKind::kHave;
+}
+
 // A noun that might be furniture: named or counted, and not only what something is like or is for ("a wardrobe for clothes").
 bool is_missed(const Lexicon& lexicon, const Document& document, std::size_t k) {
   const Chunk& chunk = document.chunks[k];
@@ -45,7 +55,7 @@ bool is_missed(const Lexicon& lexicon, const Document& document, std::size_t k) 
   const bool purpose = k > 0 && document.chunks[k - 1].kind == ChunkKind::kPurpose;
   if (noun.kind == NounKind::kAbstract)  // "for a factory", "a place for my cats" say for whom or what it is
     return !purpose && word_form(noun.head) != WordForm::kPerson &&
-           (is_measured(lexicon, document, chunk) || (noun.doubted && (new_here || noun.unplaced)));
+           (is_measured(lexicon, document, chunk) || (noun.doubted && (new_here || noun.unplaced || tells_of_it(document, k))));
   if (noun.kind != NounKind::kObject || (purpose && !noun.exact)) return false;
   const bool unknown = !noun.exact && noun.determiner == Determiner::kDefinite;  // "nobody will weigh the labrador"
   const bool named = unknown && std::any_of(document.items.begin(), document.items.end(),

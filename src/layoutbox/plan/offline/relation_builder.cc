@@ -180,6 +180,24 @@ bool RelationBuilder::add_at_walls(const Link& link, const std::vector<int>& tar
   return true;
 }
 
+// "1.2 m above the floor" is how high it hangs; what else is no place is noted.
+void RelationBuilder::take_height_or_note(const Link& link, const Mention& target, const NounPhrase& reference) {
+  if (reference.kind == NounKind::kFloor && link.distance) {
+    for (const int item : target.items) heights_.emplace_back(id(item), mm_from_m(*link.distance));
+  } else if (reference.kind != NounKind::kRoom && reference.kind != NounKind::kAbstract && reference.kind != NounKind::kCeiling) {
+    note_no_place(link, target);
+  }
+}
+
+// "a desk and bookshelf in the corner": in the same one, if that can be.
+void RelationBuilder::share_corner(const Link& link, const Mention& target) {
+  const Mention& first = mention(link.targets.front());
+  if (target.items.size() != 1 || first.items.size() != 1) return;
+  Link together = link;
+  together.soft = together.concluded = true;
+  add(together, R::kNear, {id(target.items.front())}, {id(first.items.front())});
+}
+
 void RelationBuilder::add_relations_to(const Link& link, const std::vector<int>& targets, const Mention& reference_mention) {
   const Mention* place = reference_mention.items.empty() ? &reference_mention : nullptr;
   const std::vector<int>& reference_items = reference_mention.items;
@@ -195,13 +213,8 @@ void RelationBuilder::add_relations_to(const Link& link, const std::vector<int>&
     auto sense = choose_sense(catalog_, link.senses, Direction::kDirect, target.noun, reference);
     if (sense && place == nullptr) name_shelf(*sense, reference, noun_of_item(reference_items.front()));
     if (reference.kind == NounKind::kFloor && !link.distance && says(link.senses, R::kOn)) on_floor_.insert(m);
-    if (!sense && reference.kind == NounKind::kFloor && link.distance) {  // "1.2 m above the floor"
-      for (const int item : target.items) heights_.emplace_back(id(item), mm_from_m(*link.distance));
-      continue;
-    }
     if (!sense) {
-      if (reference.kind != NounKind::kRoom && reference.kind != NounKind::kAbstract && reference.kind != NounKind::kCeiling)
-        note_no_place(link, target);
+      take_height_or_note(link, target, reference);
       continue;
     }
     if (sense->type == R::kInRegion && reference.kind == NounKind::kPart && !sense->region) {
@@ -213,13 +226,7 @@ void RelationBuilder::add_relations_to(const Link& link, const std::vector<int>&
     } else {
       add_single(link, *sense, target, reference_items, place);
     }
-    // "a desk and bookshelf in the corner": in the same one, if that can be.
-    if (sense->type == R::kCorner && m != link.targets.front() && !reference.is_plural() && target.items.size() == 1 &&
-        mention(link.targets.front()).items.size() == 1) {
-      Link together = link;
-      together.soft = together.concluded = true;
-      add(together, R::kNear, {id(target.items.front())}, {id(mention(link.targets.front()).items.front())});
-    }
+    if (sense->type == R::kCorner && m != link.targets.front() && !reference.is_plural()) share_corner(link, target);
     if (link.distance && sense->type != R::kDistance && !reference_items.empty()) {
       for (const int item : target.items) add(link, R::kDistance, {id(item)}, {id(reference_items.front())});
     }

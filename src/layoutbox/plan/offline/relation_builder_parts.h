@@ -41,6 +41,8 @@ class RelationBuilder : private RelationWriter {
   void add_by_openings(const Link& link);
   void add_alone(const Link& link, const std::vector<int>& targets);
   void add_relations(const Link& link);
+  void take_height_or_note(const Link& link, const Mention& target, const NounPhrase& reference);
+  void share_corner(const Link& link, const Mention& target);
   void add_relations_to(const Link& link, const std::vector<int>& targets, const Mention& reference_mention);
   void add_rows();
   void add_stacks();
