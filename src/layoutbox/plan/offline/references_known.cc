@@ -49,6 +49,21 @@ int qualities_shared(const NounPhrase& wanted, const NounPhrase& item) {
   return score;
 }
 
+// Said of somebody's, and the item is not his.
+bool is_anothers(const NounPhrase& wanted, const NounPhrase& item) {
+  if (wanted.owner_word.empty()) return false;
+  if (!item.owner_word.empty()) return wanted.owner_word != item.owner_word;  // "the dentist's stool … the assistant's stool": two
+  if (item.count > 1 && !wanted.is_plural()) return true;                     // "twelve mats … the instructor's mat": none of the twelve
+  // "the judge's bench … the clerk's desk": another one
+  return item.name.find("'s ") != std::string::npos && item.name.find(wanted.owner_word) == std::string::npos;
+}
+
+// "a bar table … on the bar": short for it, where both have a top.
+bool is_short_for(const NounPhrase& wanted, const NounPhrase& item) {
+  return wanted.determiner == Determiner::kDefinite && wanted.exact && item.entry != nullptr && wanted.entry->is(Trait::kCounter) &&
+         item.name == wanted.name + " table" && item.entry->top_carries;
+}
+
 }  // namespace
 
 bool References::same_kind(const NounPhrase& wanted, const NounPhrase& item) const { return fit(wanted, item) > 0; }
@@ -56,24 +71,14 @@ bool References::same_kind(const NounPhrase& wanted, const NounPhrase& item) con
 // 4: the same words, 3: the same kind, 2: a kind of it, 1: a word for something more general or the same head noun.
 int References::fit(const NounPhrase& wanted, const NounPhrase& item) const {
   const Catalog& catalog = lexicon_.catalog();
-  // "the dentist's stool … the assistant's stool": two.
-  if (!wanted.owner_word.empty() && !item.owner_word.empty() && wanted.owner_word != item.owner_word) return 0;
-  // "twelve mats … the instructor's mat": none of the twelve.
-  if (!wanted.owner_word.empty() && item.owner_word.empty() && item.count > 1 && !wanted.is_plural()) return 0;
-  // "the judge's bench … the clerk's desk": another one.
-  if (!wanted.owner_word.empty() && item.owner_word.empty() && item.name.find("'s ") != std::string::npos &&
-      item.name.find(wanted.owner_word) == std::string::npos)
-    return 0;
+  if (is_anothers(wanted, item)) return 0;
   if (wanted.name == item.name) return 4;
   // "the captain's chair" is no pilot seat.
   const std::size_t owner = wanted.name.find("'s ");
   if (owner != std::string::npos && wanted.head != item.head && item.name.find(wanted.name.substr(0, owner)) == std::string::npos) return 0;
   if (wanted.name.starts_with(item.name + " ") && one_of(wanted.name.substr(item.name.size() + 1), WordSet::kPartsCalledAfter)) return 3;
   if (wanted.exact && item.exact && wanted.entry == item.entry) return 3;
-  // "a bar table … on the bar": short for it, where both have a top.
-  const bool for_short = wanted.determiner == Determiner::kDefinite && wanted.exact && item.entry != nullptr &&
-                         wanted.entry->is(Trait::kCounter) && item.name == wanted.name + " table" && item.entry->top_carries;
-  if (for_short) return 3;
+  if (is_short_for(wanted, item)) return 3;
   if (is_contrasted(wanted, item)) return 0;
   // "a console table … on the console": what no list has is short for what was named.
   if (!wanted.exact && wanted.determiner == Determiner::kDefinite && item.name.starts_with(wanted.name + " ")) return 2;
