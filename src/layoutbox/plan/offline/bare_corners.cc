@@ -10,13 +10,6 @@
 namespace layoutbox::offline {
 namespace {
 
-Token corner_word(std::string_view text) {
-  Token token;
-  token.kind = Token::Kind::kWord;
-  token.text = text;
-  return token;
-}
-
 // "back right" and "right back" at `at`, with no noun after it that it says which one of.
 bool names_corner(const Lexicon& lexicon, const Document& document, std::size_t at) {
   const auto depth = [&](std::size_t i) { return says_one_of(document, i, {"front", "back", "rear", "far", "near"}); };
@@ -46,7 +39,7 @@ void read_stage_words(Document& document, std::vector<bool>& skip) {
     }
     if (says_one_of(document, next, {"wall", "corner"})) continue;
     if (says_one_of(document, next, {"center"})) skip[next] = true;
-    for (const std::string_view word : {"at", "the"}) words.push_back({i, corner_word(word)});
+    for (const std::string_view word : {"at", "the"}) words.push_back({i, word_token(word)});
   }
   splice(document, skip, std::move(words));
 }
@@ -73,7 +66,7 @@ void complete_bare_walls(const Lexicon& lexicon, Document& document, std::vector
   std::vector<Splice> words;
   for (std::size_t i = 1; i + 1 < document.tokens.size(); ++i) {
     if (skip[i] || !names_bare_wall(lexicon, document, i)) continue;
-    for (const std::string_view word : {"on", "the"}) words.push_back({i, corner_word(word)});
+    for (const std::string_view word : {"on", "the"}) words.push_back({i, word_token(word)});
   }
   splice(document, skip, std::move(words));
 }
@@ -93,9 +86,9 @@ void complete_bare_corners(const Lexicon& lexicon, Document& document, std::vect
                place = !first && says_one_of(document, i - 1, {"in", "at", "on"});
     const bool verb = !first && lexicon.is(tokens[i - 1], WordClass::kPlaceVerb);  // "to the far right", "faces front left"
     if (verb || (article && (i < 2 || !says_one_of(document, i - 2, {"in", "at", "on"})))) continue;
-    if (!article && !place) words.push_back({i, corner_word("in")});
-    if (!article) words.push_back({i, corner_word("the")});
-    words.push_back({i + 2, corner_word("corner")});
+    if (!article && !place) words.push_back({i, word_token("in")});
+    if (!article) words.push_back({i, word_token("the")});
+    words.push_back({i + 2, word_token("corner")});
   }
   splice(document, skip, std::move(words));
 }

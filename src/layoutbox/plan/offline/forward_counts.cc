@@ -275,8 +275,12 @@ void settle_bunks(const Lexicon& lexicon, Document& document) {
 
 void settle_for_each(const Lexicon& lexicon, Document& document) {
   std::vector<Chunk>& chunks = document.chunks;
+  std::vector<std::size_t> each_ones;  // all are found before the first is counted: a counted one could be what "each" means
   for (std::size_t k = 0; k + 1 < chunks.size() && !is_set(document.stop); ++k) {
-    const int people = is_each_ones(chunks, k) ? people_before(lexicon, chunks, k) : 0;
+    if (is_each_ones(chunks, k)) each_ones.push_back(k);
+  }
+  for (const std::size_t k : each_ones) {
+    const int people = people_before(lexicon, chunks, k);
     if (people < 2) continue;
     chunks[k].noun.count = people * std::max(chunks[k].noun.count, 1);
     chunks[k].noun.plural = true;

@@ -43,12 +43,7 @@ class HalfReader {
   };
 
   void put(std::size_t at, std::initializer_list<std::string_view> words) {
-    for (const std::string_view word : words) {
-      Token token;
-      token.kind = Token::Kind::kWord;
-      token.text = word;
-      words_.push_back({at, std::move(token)});
-    }
+    for (const std::string_view word : words) words_.push_back({at, word_token(word)});
   }
 
   bool is(std::size_t at, std::initializer_list<std::string_view> words) const { return says_one_of(document_, at, words); }

@@ -71,8 +71,8 @@ std::string_view NounPhraseReader::heap_at(std::size_t at, std::size_t length) c
 
 // "a bunch of keys", "three bunches of grapes" hang together; "a bunch of chairs" is only several.
 bool NounPhraseReader::is_tied(std::size_t at) const {
-  const Match thing = lexicon_.find(tokens_, at, WordClass::kObject);
   if (at >= tokens_.size()) return false;
+  const Match thing = lexicon_.find(tokens_, at, WordClass::kObject);
   const std::size_t last = at + std::max<std::size_t>(thing.length, 1) - 1;
   if (one_of(singular_of(tokens_[last].text), WordSet::kTied)) return true;
   const Meaning* meaning = meaning_of(thing, WordClass::kObject);

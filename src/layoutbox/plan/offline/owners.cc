@@ -144,12 +144,7 @@ class OwnerReader : public TokenReader {
     put_in(i + 1, thing);
   }
 
-  void put_in(std::size_t at, const std::string& word) {
-    Splice more{at, {}};
-    more.token.kind = Token::Kind::kWord;
-    more.token.text = word;
-    splices_.push_back(std::move(more));
-  }
+  void put_in(std::size_t at, const std::string& word) { splices_.push_back({at, word_token(word)}); }
 
   // "her bed" and "his bed" are two.
   void mark_contrasts() {

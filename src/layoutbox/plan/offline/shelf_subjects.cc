@@ -10,13 +10,6 @@
 namespace layoutbox::offline {
 namespace {
 
-Token word_token(std::string_view text) {
-  Token token;
-  token.kind = Token::Kind::kWord;
-  token.text = text;
-  return token;
-}
-
 class ShelfTurner {
  public:
   ShelfTurner(const Lexicon& lexicon, Document& document, std::vector<bool>& skip)

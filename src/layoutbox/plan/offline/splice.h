@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,13 @@ struct Splice {
   std::size_t at = 0;
   Token token;
 };
+
+inline Token word_token(std::string_view word) {
+  Token token;
+  token.kind = Token::Kind::kWord;
+  token.text = word;
+  return token;
+}
 
 inline Token comma_token() {
   Token token;
