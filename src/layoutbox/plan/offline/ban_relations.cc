@@ -120,9 +120,9 @@ class BanBuilder : public RelationWriter {
 
 }  // namespace
 
-void add_bans(const Lexicon& lexicon, Document& document, const std::vector<Ban>& bans, SceneGraph& scene) {
+void add_bans(const Lexicon& lexicon, Document& document, SceneGraph& scene) {
   BanBuilder builder(lexicon, document, scene);
-  for (const Ban& ban : bans) builder.add(ban);
+  for (const Ban& ban : document.bans) builder.add(ban);
 }
 
 }  // namespace layoutbox::offline

@@ -245,9 +245,9 @@ class BanReader : public BanPlaces {
 
 }  // namespace
 
-std::vector<Ban> read_bans(const Lexicon& lexicon, const Document& document, std::vector<bool>& skip) {
+void read_bans(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
   std::vector<Token> tokens = document.tokens;
-  return BanReader(lexicon, document, tokens, skip).read();
+  document.bans = BanReader(lexicon, document, tokens, skip).read();
 }
 
 }  // namespace layoutbox::offline

@@ -77,7 +77,7 @@ std::size_t end_of_introduction(const std::vector<Token>& tokens, std::size_t at
 
 }  // namespace
 
-void read_courtesies(const Lexicon& lexicon, const Document& document, std::vector<bool>& skip) {
+void read_courtesies(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
   const std::vector<Token>& tokens = document.tokens;
   const auto leave_out = [&](std::size_t first, std::size_t last) {
     std::fill(skip.begin() + static_cast<std::ptrdiff_t>(first), skip.begin() + static_cast<std::ptrdiff_t>(last), true);

@@ -10,6 +10,6 @@ namespace layoutbox::offline {
 
 // Marks in `skip` the words of "if you could also …" and of "I'm a nurse on a dialysis unit and want to show what I mean: …", where these
 // name no room. What is asked for is what is left.
-void read_courtesies(const Lexicon& lexicon, const Document& document, std::vector<bool>& skip);
+void read_courtesies(const Lexicon& lexicon, Document& document, std::vector<bool>& skip);
 
 }  // namespace layoutbox::offline

@@ -74,6 +74,18 @@ struct Zone {
   std::size_t first = 0, last = 0;  // tokens
 };
 
+// What a wish wants of all of the room's things ("nothing in front of the window"), as it was said.
+struct Ban {
+  enum class Kind { kBackTo, kFreeOpening, kFreeWall, kFreeRegion, kFreeSide };
+  Kind kind = Kind::kFreeRegion;
+  std::string of;  // the opening ("door"), the wall's word, the thing by its name; empty: what was named last
+  RoomRegion region = RoomRegion::kMiddle;
+  std::vector<Side> sides;  // kFreeSide
+  double depth = 0;         // metres; kFreeSide
+  std::size_t first = 0;    // where it is said: a place in the prompt
+  std::string words;
+};
+
 struct Document {
   std::string prompt;
   std::vector<Token> tokens;
@@ -89,6 +101,8 @@ struct Document {
   std::vector<CloseReading> close;          // words that may as well mean something else
   std::vector<Note> notes;
   std::vector<Zone> zones;
+  std::vector<Ban> bans;
+  std::vector<std::size_t> size_said_at;  // places in the prompt of the words that said the room's size
   std::optional<Niche> niche;
   int people = 0;      // "an office for three": for how many the room is; 0: not said
   bool young = false;  // … children

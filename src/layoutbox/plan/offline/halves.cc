@@ -92,10 +92,18 @@ class HalfReader {
     if (is(at, {":"}) || is(at, {"has", "holds", "contains", "houses", "gets"})) return opens_list(at + 1) ? at + 1 : 0;
     if (told_before() && opens_list(at) && lexicon_.is(document_.tokens[at], WordClass::kIndefinite) && !with_follows(at)) return at;
     if (!is(at, {"is", "for", "serves", "as"}) && !(told_before() && opens_list(at))) return 0;
+    if (is(at, {"is"}) && is(at + 1, {"for"}) && names_thing(at + 2)) return at + 2;
     for (std::size_t i = at; i < at + kReach && !over(i + 1); ++i) {
       if (is(i, {"with", ":"})) return opens_list(i + 1) ? i + 1 : 0;
     }
     return 0;
+  }
+
+  // "… is for a table and two chairs", "… for the desk"; not "for the office".
+  bool names_thing(std::size_t at) const {
+    const bool article = at < document_.tokens.size() && (lexicon_.is(document_.tokens[at], WordClass::kIndefinite) ||
+                                                          lexicon_.is(document_.tokens[at], WordClass::kDefinite));
+    return article && lexicon_.find(document_.tokens, at + 1, WordClass::kObject).length > 0 && !with_follows(at);
   }
 
   // "the right half an office with a desk": what it is comes first.

@@ -5,44 +5,21 @@
 #include "layoutbox/base/utf8.h"
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/normalize.h"
-#include "layoutbox/plan/offline/absent.h"
-#include "layoutbox/plan/offline/alternatives.h"
 #include "layoutbox/plan/offline/bans.h"
-#include "layoutbox/plan/offline/bare_corners.h"
 #include "layoutbox/plan/offline/built_ins.h"
-#include "layoutbox/plan/offline/clusters.h"
-#include "layoutbox/plan/offline/corrections.h"
-#include "layoutbox/plan/offline/courtesy.h"
-#include "layoutbox/plan/offline/examples.h"
-#include "layoutbox/plan/offline/forward_counts.h"
-#include "layoutbox/plan/offline/halves.h"
-#include "layoutbox/plan/offline/inserts.h"
-#include "layoutbox/plan/offline/inventory.h"
 #include "layoutbox/plan/offline/knowledge.h"
-#include "layoutbox/plan/offline/labels.h"
 #include "layoutbox/plan/offline/languages.h"
 #include "layoutbox/plan/offline/left_out.h"
 #include "layoutbox/plan/offline/linings.h"
 #include "layoutbox/plan/offline/object_size.h"
-#include "layoutbox/plan/offline/owners.h"
 #include "layoutbox/plan/offline/people.h"
-#include "layoutbox/plan/offline/purposes.h"
 #include "layoutbox/plan/offline/relation_builder.h"
-#include "layoutbox/plan/offline/relatives.h"
-#include "layoutbox/plan/offline/requests.h"
 #include "layoutbox/plan/offline/room_reader.h"
-#include "layoutbox/plan/offline/runs.h"
-#include "layoutbox/plan/offline/said_counts.h"
-#include "layoutbox/plan/offline/shelf_subjects.h"
-#include "layoutbox/plan/offline/side_subjects.h"
 #include "layoutbox/plan/offline/slopes.h"
 #include "layoutbox/plan/offline/spelling.h"
 #include "layoutbox/plan/offline/states.h"
-#include "layoutbox/plan/offline/their_own.h"
-#include "layoutbox/plan/offline/uses.h"
-#include "layoutbox/plan/offline/wall_lists.h"
+#include "layoutbox/plan/offline/text_passes.h"
 #include "layoutbox/plan/offline/wishes.h"
-#include "layoutbox/plan/offline/wordings.h"
 #include "layoutbox/plan/offline/zones.h"
 #include "layoutbox/plan/planner.h"
 
@@ -83,58 +60,18 @@ class OfflinePlanner final : public Planner {
       return fail(ErrorCode::kGeometry, "the text asks for a room with a side of 0 m or of more than 100 m", "prompt",
                   "give a size such as 4 x 3 x 2.5 m");
     }
-    const std::vector<std::size_t> room_size_at = begins_of(document.readings, skip);
-    read_owners(lexicon_, document, skip);
-    part_runs(lexicon_, document, skip);
-    read_examples(lexicon_, document, skip);
-    complete_wall_lists(lexicon_, document, skip);
-    read_halves(lexicon_, document, skip);
-    complete_bare_corners(lexicon_, document, skip);
-    read_seats_said(lexicon_, document, skip);
-    read_labels(lexicon_, document, skip);
-    read_corrected_counts(lexicon_, document, skip);
-    read_alternatives(lexicon_, document, skip);
-    read_said_counts(lexicon_, document, skip);
-    read_courtesies(lexicon_, document, skip);
-    read_requests(lexicon_, document, skip);
-    const std::vector<Ban> bans = read_bans(lexicon_, document, skip);
-    read_uses(lexicon_, document, skip);
-    read_wordings(lexicon_, document, skip);
-    read_slopes(lexicon_, document, skip);
-    part_relatives(lexicon_, document, skip);
-    turn_side_subjects(lexicon_, document, skip);
-    turn_shelf_subjects(lexicon_, document, skip);
+    document.size_said_at = begins_of(document.readings, skip);
+    for (const WordPass& pass : word_passes()) {
+      pass.run(lexicon_, document, skip);
+      if (is_set(document.stop)) return stopped();
+    }
     const std::vector<WordReading> of_size = take_out(document, skip);
     document.chunks = chunk_tokens(lexicon_, document.tokens, document.stop);
     if (is_set(document.stop)) return stopped();
-    settle_corrected_places(document);
-    settle_opening_sizes(document);
-    settle_door_swings(document);
-    share_out_openings(lexicon_, document);
-    settle_opening_walls(lexicon_, document);
-    settle_opening_ends(lexicon_, document);
-    settle_finishes(lexicon_, document);
-    settle_absent(lexicon_, document);
-    settle_clusters(lexicon_, document);
-    settle_inserts(document);
-    settle_bunks(lexicon_, document);
-    settle_for_each(lexicon_, document);
-    settle_their_own(lexicon_, document);
-    settle_purposes(lexicon_, document);
-    settle_room_senses(lexicon_, document, room_size_at);
-    settle_word_senses(lexicon_, document);
-    settle_company(lexicon_, document);
-    settle_worktops(document);
-    settle_glosses(document);
-    settle_namesakes(document);
-    settle_inventory(document);
-    settle_floor_carpets(document);
-    settle_part_looks(document);
-    settle_grid_counts(document);
-    settle_forward_counts(document);
-    settle_forward_wholes(lexicon_, document);
-    settle_forward_names(document);
-    settle_filling_counts(lexicon_, document);
+    for (const PhrasePass& pass : phrase_passes()) {
+      pass.run(lexicon_, document);
+      if (is_set(document.stop)) return stopped();
+    }
     read_document(lexicon_, document);
     if (is_set(document.stop)) return stopped();
     settle_states(lexicon_, document);
@@ -154,7 +91,7 @@ class OfflinePlanner final : public Planner {
     read_room_colors(lexicon_, document, plan.scene.room);
     build_relations(lexicon_, document, plan.scene);
     if (is_set(document.stop)) return stopped();
-    add_bans(lexicon_, document, bans, plan.scene);
+    add_bans(lexicon_, document, plan.scene);
     name_room_by_contents(lexicon_, document, plan.scene);
     furnish_by_wish(lexicon_, document, plan.scene);
     settle_slopes(lexicon_, document, plan.scene);

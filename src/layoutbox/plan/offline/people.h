@@ -12,8 +12,8 @@ namespace layoutbox::offline {
 void read_seats_said(const Lexicon& lexicon, Document& document, std::vector<bool>& skip);
 
 // "mats" in a gym are for exercise, "a board" in a classroom is written on. The kind of room may be named anywhere in the text; where none
-// is, it may be what the text opens with. `room_size_at`: the places in the prompt of the words that said the room's size.
-void settle_room_senses(const Lexicon& lexicon, Document& document, const std::vector<std::size_t>& room_size_at);
+// is, it may be what the text opens with.
+void settle_room_senses(const Lexicon& lexicon, Document& document);
 
 // Words of several senses by the words beside them: "bare boards", a board with keys.
 void settle_word_senses(const Lexicon& lexicon, Document& document);

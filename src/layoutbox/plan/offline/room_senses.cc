@@ -111,8 +111,8 @@ bool is_somebodys(const Document& document, std::size_t topic) {
 }
 
 // "A cell for prayer. …", "Storage unit, 10 x 10 ft. …": where no room is named, what a text opens with is the room, if it is nothing to
-// put into one or is given a room's size (`room_size_at`: the place of that in the prompt).
-void settle_topic(const Lexicon& lexicon, Document& document, const std::vector<std::size_t>& room_size_at) {
+// put into one or is given a room's size (`size_said_at`).
+void settle_topic(const Lexicon& lexicon, Document& document) {
   const auto names_room = [](const Chunk& c) {
     return c.kind == ChunkKind::kNoun && c.noun.kind == NounKind::kRoom && c.noun.room != nullptr;
   };
@@ -128,7 +128,7 @@ void settle_topic(const Lexicon& lexicon, Document& document, const std::vector<
   const bool thing = noun.kind == NounKind::kObject || (noun.kind == NounKind::kAbstract && noun.doubted);
   if (!thing || !new_here || noun.is_plural() || noun.count > 1) return;
   const std::vector<Token>& tokens = document.tokens;
-  const bool sized = std::ranges::any_of(room_size_at, [&](std::size_t at) {
+  const bool sized = std::ranges::any_of(document.size_said_at, [&](std::size_t at) {
     return at >= tokens[noun.last - 1].end && at < tokens[std::min(next->last, tokens.size() - 1)].begin;
   });
   const bool unknown =
@@ -232,10 +232,10 @@ bool is_said_small(const NounPhrase& noun) {
 
 }  // namespace
 
-void settle_room_senses(const Lexicon& lexicon, Document& document, const std::vector<std::size_t>& room_size_at) {
+void settle_room_senses(const Lexicon& lexicon, Document& document) {
   settle_first_room(lexicon, document);
   settle_only_noun(lexicon, document);
-  settle_topic(lexicon, document, room_size_at);
+  settle_topic(lexicon, document);
   settle_told_room(lexicon, document);
   const NounPhrase* room = first_known_room(document);
   if (room == nullptr) return;

@@ -81,11 +81,11 @@ class SaidCounts {
     std::size_t line = i;
     const auto is_side = [&](std::size_t at) { return is(at + 1, "x") || (at > 0 && is(at - 1, "x")); };  // "0.45x0.4 qty 2"
     while (line > 0 && i - line < kLongest && !tokens_[line - 1].ends_sentence && (!is_count(line - 1) || is_side(line - 1)) &&
-           !lexicon_.is(tokens_[line - 1], WordClass::kAnd))
+           !lexicon_.is(tokens_[line - 1], WordClass::kAnd) && !is_one_of(line - 1, {"with", "has", "have", "includes", "including", "of"}))
       --line;
     leave_out(i, number);
     if (line == i || !is_word(line) || lexicon_.is(tokens_[line], WordClass::kIndefinite)) return leave_out(number, number + 1);
-    if (is_one_of(i - 1, {",", ":"})) leave_out(i - 1, i);
+    if (is_one_of(i - 1, {",", ":", "("})) leave_out(i - 1, i);
     bring_forward(line, number);
   }
 
