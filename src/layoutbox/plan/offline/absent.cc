@@ -35,22 +35,29 @@ class AbsentReader {
   }
 
  private:
-  // How many tokens from `at` are one of these phrases.
+  // How many tokens from `at` are one of these phrases, of which a word may be one of several: "is|are gone".
   std::size_t match(const WordList& phrases, std::size_t at) const {
-    const std::string& first = tokens_[at].text;
     for (const WordList::Member phrase : phrases) {
       std::string_view rest = phrase.value.text();
-      if (!rest.starts_with(first)) continue;
       std::size_t i = at;
       while (!rest.empty() && i < tokens_.size()) {
         const std::string_view word = rest.substr(0, rest.find(' '));
-        if (tokens_[i].text != word) break;
+        if (!is_one_of(tokens_[i].text, word)) break;
         rest.remove_prefix(std::min(rest.size(), word.size() + 1));
         ++i;
       }
       if (rest.empty()) return i - at;
     }
     return 0;
+  }
+
+  // `words`: "is|are"
+  static bool is_one_of(std::string_view token, std::string_view words) {
+    for (std::size_t at = words.find(token); at != std::string_view::npos; at = words.find(token, at + 1)) {
+      const std::size_t end = at + token.size();
+      if ((at == 0 || words[at - 1] == '|') && (end == words.size() || words[end] == '|')) return true;
+    }
+    return false;
   }
 
   bool is_break(std::size_t i) const {
