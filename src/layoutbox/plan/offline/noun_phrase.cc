@@ -189,12 +189,13 @@ std::string_view NounPhraseReader::settle_pair(const PhrasePart& head) {
   // "a pair of boots", "three pairs of skis": what is drawn as a pair is one thing.
   if (const CatalogEntry* pair = paired_ && meant.empty() ? pair_of(head) : nullptr; pair != nullptr) {
     meant = pair->id;
-    pair_named_ = !lexicon_.is_plural_only(word);
+    pair_named_ = true;
   }
   // "dog scales", "garden shears"
   const bool one = lexicon_.is_plural_only(word) || lexicon_.is_plural_only(tokens_[head.last - 1].text) || !meant.empty();
   if (!one) return head.meaning.word;
   if (!meant.empty()) phrase_.entry = &lexicon_.catalog().entry_or_nearest(meant);
+  pair_named_ |= paired_ && phrase_.count <= 2 && !phrase_.vague;
   if (paired_) phrase_.count /= 2;
   if (phrase_.vague && !paired_ && tokens_[head.first > 1 ? head.first - 2 : 0].text == "set") phrase_.count = 1;  // "a set of scales"
   phrase_.plural = false;

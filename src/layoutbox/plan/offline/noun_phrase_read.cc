@@ -41,9 +41,11 @@ bool NounPhraseReader::names_after_one(const Match& match) const {
                     (parts_.back().word_class == WordClass::kFiller && (named.ends_with("ing") || is_noun(word_form(named))));
   // "; thurible stand, in a corner"
   const bool item = phrase_.determiner == Determiner::kNone && bare_ && phrase_.first > 0 && tokens_[phrase_.first - 1].ends_sentence;
-  const bool told = phrase_.determiner == Determiner::kDefinite && phrase_.first > 0 &&
-                    tokens_[phrase_.first - 1].kind == Token::Kind::kWord &&
-                    lexicon_.find_phrase(tokens_, phrase_.first - 1).length == 0;  // not "on the mantel stand a clock and a vase"
+  const bool told =
+      phrase_.determiner == Determiner::kDefinite &&
+      (phrase_.first == 0 || tokens_[phrase_.first - 1].ends_sentence ||
+       (tokens_[phrase_.first - 1].kind == Token::Kind::kWord &&
+        lexicon_.find_phrase(tokens_, phrase_.first - 1).length == 0));  // not "on the mantel stand a clock and a vase"
   const bool one = phrase_.determiner == Determiner::kIndefinite || told || item;
   if (!noun || !one || phrase_.count != 0) return false;
   if (plural_at(i_) || text.ends_with("ed") || text.ends_with("ing") || opens_at(i_ + 1)) return false;
@@ -154,7 +156,11 @@ std::optional<bool> NounPhraseReader::read_thing(const Match& match, bool noun_b
     return false;
   const bool covers =
       match.length == 1 && !parts_.empty() && parts_.back().plural && lexicon_.is_place_verb(token().text) && opens_at(i_ + 1);
-  const bool verb = (verbal || covers) && noun_before && !hyphenated(i_) && !names_after_one(match);  // "curtains frame the window"
+  // "Inside the case rest three fossils"
+  const bool inverted = phrase_.determiner == Determiner::kDefinite && match.length == 1 && !parts_.empty() && parts_.back().last == i_ &&
+                        lexicon_.is_place_verb(token().text) && opens_at(i_ + 1);
+  const bool verb = (verbal || covers) && (noun_before || inverted) && !hyphenated(i_) &&
+                    !names_after_one(match);  // "curtains frame the window"
   if (object != nullptr && !verb && !part) return add(WordClass::kObject, *object, match.length, match.plural);
   if (object != nullptr && part) return add(WordClass::kPart, *object, match.length, match.plural);
   if (part && match.length == 1 && has(match, WordClass::kPart)) {  // "two sinks": parts of a vanity, or things

@@ -30,7 +30,8 @@ bool NounPhraseReader::ends_in_verb(std::size_t head) const {
     const bool places = before.word_class == WordClass::kObject && place_follows && may_be_verb(tokens_[last.last - 1].text);
     return last.last - last.first == 1 && (opens_at(object) || whose || places);
   }
-  return before.word_class == WordClass::kObject || (before.word_class == WordClass::kFiller && is_thing(before));
+  const bool room = before.word_class == WordClass::kRoom && opens_at(last.last);  // "a gallery stages a plinth"
+  return room || before.word_class == WordClass::kObject || (before.word_class == WordClass::kFiller && is_thing(before));
 }
 
 // "a gripper sorts bolts", "a lamp throws light on it": what one thing does, within what was taken for one name. Names have no plural

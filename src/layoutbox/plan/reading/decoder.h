@@ -229,6 +229,8 @@ class Decoder {
   bool by_each_other(int u) const;
   bool says_its(int u) const;
   bool is_subject(int u) const;
+  bool heads_subject(int u) const;
+  bool strewn_past_host(const State& state, int place, int u) const;
   bool has_place(int u) const;
   bool has_own_place(int u) const;
   bool verb_like(int u) const;

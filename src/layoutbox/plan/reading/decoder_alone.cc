@@ -207,7 +207,11 @@ void Decoder::alone_of_member(std::size_t s, int u, std::size_t level, int neare
   // Said, as part of the phrase.
   if (document_.tokens[chunk(u).last - 1].text == "it" || (says_its(u) && !whom.plural)) whom.head = "it";
   // "a laptop on the right side of the desk and a mug on the left side": of the desk as well.
-  if (const Referent host = side_host(state, u, senses); host != kNobody && !same(state, host, member))
+  // … but what stands on the floor is not to the side of what lies on a thing
+  const auto lies_beside = [&](Referent host) {
+    return mount_of(noun_of(state, member)) != Mount::kFloor || !is_carried(state, host);
+  };
+  if (const Referent host = side_host(state, u, senses); host != kNobody && !same(state, host, member) && lies_beside(host))
     alone_of_list(s, u, level, {host, gain + weight::kSameSide, false});
   if (const auto room = room_side_score(state, u); room && mount_of(noun_of(state, member)) != Mount::kSurface)
     alone_of_list(s, u, level, {kNobody, gain + *room, false});

@@ -35,8 +35,10 @@ double Decoder::antecedent_place_score(const State& state, Referent referent, Re
                       read_as(state, referent).predicate != read_as(state, subject).predicate;
   if (fellow && side && small && mount_of(meant) == Mount::kSurface) score += weight::kSideOfFellow;
   const bool its_top = is_it(noun) || is_unsaid(noun);  // "a cabinet beside the desk with a printer on top"
-  if (subject >= 0 && referent == owner && !side && lies && its_top)
+  if (subject >= 0 && referent == owner && !side && lies && its_top) {
+    if (is_unsaid(noun) && has_top_for(meant, target)) score = std::max(score, 0.0);  // "a wardrobe with a suitcase on top"
     score += noun->head.empty() ? weight::kTopOfOwnHost : weight::kOnOwnHost;
+  }
   const bool sat_on = is_seat(lexicon_.catalog(), meant) || (meant.entry != nullptr && meant.entry->is(Trait::kEasySeat));
   if (subject >= 0 && referent != owner && lies && is_unsaid(noun) && sat_on) score += weight::kTopOfOtherSeat;
   if (subject >= 0 && referent != owner && owner != kNobody && read_as(state, subject).former >= 0 && lies && lists_on_it(subject))

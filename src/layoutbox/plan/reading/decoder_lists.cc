@@ -23,6 +23,20 @@ bool shares_article(const NounPhrase& noun, const NounPhrase& former) {
 
 bool Decoder::is_subject(int u) const { return verb_like(u + 1) && unit(u + 1).joiner == Joiner::kNone && !unit(u + 1).clause; }
 
+// "…, and a basket and a paper lie on the table": the first of two of which a verb of several is said.
+bool Decoder::heads_subject(int u) const {
+  return unit(u).joiner == Joiner::kCommaAnd && is(u + 1, UnitKind::kNoun) && unit(u + 1).joiner == Joiner::kAnd && is_new_thing(chunk(u).noun) &&
+         !chunk(u).noun.is_plural() && is_subject(u + 1) && !is_finite(word(u + 2)) && !chunk(u + 1).noun.is_plural();
+}
+
+// "On the rug stands a table carrying two books, a vase and a candle": small things lie on the table.
+bool Decoder::strewn_past_host(const State& state, int place, int u) const {
+  if (read_as(state, place).alone || !is_thing(state, place + 1) || mount_of(chunk(u).noun) != Mount::kSurface) return false;
+  const NounPhrase& rug = noun_of(state, place + 1);
+  const bool content = !state.frontier.empty() && read_as(state, state.frontier.back()).role == NounRole::kContent;
+  return content && rug.entry != nullptr && rug.entry->thin;
+}
+
 bool Decoder::has_place(int u) const {
   return follows(u, UnitKind::kPlace) || (follows(u, UnitKind::kParticiple) && follows(u + 1, UnitKind::kPlace));
 }
@@ -129,17 +143,17 @@ double Decoder::told_nothing(int u) const {
 void Decoder::root_list_actions(std::size_t s, int u, double gain) {
   const State& state = states_[s];
   const NounPhrase& noun = chunk(u).noun;
-  const bool subject = is_subject(u), placed = has_place(u);
+  const bool subject = is_subject(u) || heads_subject(u), placed = has_place(u);
   const bool of_clause = !state.verb || state.imperative;
   // "books and newspapers lines the wall": not the newspapers.
   const bool disagrees = subject && noun.is_plural() && (is_finite(word(u + 1)) || word(u + 1) == "is" || word(u + 1) == "was");
   gain += disagrees ? weight::kDisagrees : subject ? weight::kSubjectFollows : placed ? weight::kPlaceFollows : 0;
   double share = 0;
-  for (const int place : state.fronted) share += reference_score(state, place, u);
+  for (const int place : state.fronted) share += reference_score(state, place, u) + (strewn_past_host(state, place, u) ? weight::kSmallByPlace : 0);
   // "On the table a mug and a pad lie beside a clock": a plural verb of one thing speaks of the list.
   // "on which a vase and two cups stand": what came first has no other verb.
   const bool agrees =
-      subject && unit(u).joiner == Joiner::kAnd && is_plural_verb(word(u + 1)) && (!noun.is_plural() || !state.fronted.empty());
+      is_subject(u) && unit(u).joiner == Joiner::kAnd && is_plural_verb(word(u + 1)) && (!noun.is_plural() || !state.fronted.empty());
   // "on it tongs, three daggers and a horseshoe": what ends the list of a place that came first and has none of its own.
   const bool ends = !state.fronted.empty() && unit(u).joiner == Joiner::kAnd && !subject && !placed && is_new_thing(noun) &&
                     (u + 1 >= static_cast<int>(sentence_.size()) || (!is(u + 1, UnitKind::kHave) && unit(u + 1).joiner != Joiner::kNone));
@@ -222,8 +236,10 @@ double Decoder::content_list_score(const State& state, int member, int u) const 
   if (has_own_place(u)) score -= !sense_.carries(host, noun) ? 1.6 : joiner == Joiner::kAnd ? 0.6 : 1.4;
   if (joiner == Joiner::kAnd && lies_on_placed(u, host)) score -= weight::kSmallByPlace;
   // "each with a bed, a chair and a lamp": every one has all of them.
-  if (owner >= 0 && chunk(owner).noun.determiner == Determiner::kEach)
-    score += may_come_with(host, noun) ? weight::kEachHas : weight::kNotWithEach;
+  const bool of_each = owner >= 0 && chunk(owner).noun.determiner == Determiner::kEach;
+  // "three bowls, each with a spoon next to it, and a bottle": one bottle
+  const bool goes_on = of_each && reading.placed && joiner == Joiner::kCommaAnd && unit(owner).joiner == Joiner::kComma;
+  if (of_each) score += may_come_with(host, noun) && !goes_on ? weight::kEachHas : weight::kNotWithEach;
   if (host.entry != nullptr && host.entry->thin) score -= 3;
   return score;
 }
@@ -265,10 +281,12 @@ bool Decoder::has_top_for(const NounPhrase& host, const NounPhrase& noun) const 
   return sense_.carries(host, noun) || (stands_small(noun) && mount_of(host) == Mount::kFloor && !is_lamp(lexicon_.catalog(), host));
 }
 
-// "with the press, the rack and the scale on it": what such a list names, from the noun at u on, lies on its host, whatever it is.
+// "with the press, the rack and the scale on it", "… on top": what such a list names, from the noun at u on, lies on its host, whatever it
+// is.
 bool Decoder::lists_on_it(int u) const {
   while (is(u + 1, UnitKind::kNoun) && unit(u + 1).joiner != Joiner::kNone && !unit(u + 1).clause) ++u;
-  return follows(u, UnitKind::kPlace) && says(unit(u + 1).alone, RelationType::kOn) && document_.tokens[chunk(u + 1).last - 1].text == "it";
+  return follows(u, UnitKind::kPlace) && !follows(u + 1, UnitKind::kNoun) && says(unit(u + 1).alone, RelationType::kOn) &&
+         one_of(document_.tokens[chunk(u + 1).last - 1].text, {"it", "top"});
 }
 
 // How well it goes with the list, by what such things do: lie on the host, stand at it.

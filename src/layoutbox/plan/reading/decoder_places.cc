@@ -163,7 +163,9 @@ Referent Decoder::whole_of(const State& state, int u, Kind kind, int member) con
 double Decoder::host_of_top_score(const State& state, int u, int member) const {
   if (!follows(u, UnitKind::kNoun) || !lists_on_it(u + 1)) return 0;
   const bool known = is_known(state, member) && read_as(state, member).role == NounRole::kReference;
-  return (has_top_for(noun_of(state, member), chunk(u + 1).noun) ? 0 : weight::kCannotCarry) + (known ? weight::kKnownHost : 0);
+  const bool soft = sense_.on_soft(noun_of(state, member), chunk(u + 1).noun);  // "a chaise has a table next to it, with a cup on top"
+  return (has_top_for(noun_of(state, member), chunk(u + 1).noun) ? 0 : weight::kCannotCarry) + (known ? weight::kKnownHost : 0) +
+         (soft ? weight::kSoftHost : 0);
 }
 
 void Decoder::attach_to(std::size_t s, int u, Kind kind, std::size_t level) {

@@ -62,16 +62,18 @@ void Decoder::have_actions(std::size_t s, int u) {
 
 // "a cabinet stands beside the desk with a printer on top": what tops something is told of what the clause is about.
 bool Decoder::tops_clause(const State& state, int u) const {
-  if (state.frontier.size() < 2 || !is(u + 1, UnitKind::kNoun) || !is(u + 2, UnitKind::kPlace) || follows(u + 2, UnitKind::kNoun))
+  int place_of = u + 2;
+  while (is(place_of, UnitKind::kNoun) && unit(place_of).joiner != Joiner::kNone && !unit(place_of).clause) ++place_of;  // "a kettle and a pan"
+  if (state.frontier.size() < 2 || !is(u + 1, UnitKind::kNoun) || !is(place_of, UnitKind::kPlace) || follows(place_of, UnitKind::kNoun))
     return false;
   // "two armchairs stand by the fireplace with a lamp between them": the armchairs have it.
-  const bool between = says(alone_senses(u + 2), RelationType::kBetween);
+  const bool between = says(alone_senses(place_of), RelationType::kBetween);
   if (between) return several(state, state.frontier.front()) && !several(state, state.frontier.back());
   const int by = state.frontier.back();
   const int place = read_as(state, by).predicate;
   const bool beside = read_as(state, by).role == NounRole::kReference && place >= 0 && is(place, UnitKind::kPlace) &&
                       !says(unit(place).direct, RelationType::kOn) && !says(unit(place).direct, RelationType::kUnder);
-  return beside && is_definite(state, by) && says(alone_senses(u + 2), RelationType::kOn) &&
+  return beside && is_definite(state, by) && says(alone_senses(place_of), RelationType::kOn) &&
          sense_.carries(noun_of(state, state.frontier.front()), chunk(u + 1).noun);
 }
 

@@ -87,6 +87,7 @@ class Scribe {
   void seat_at_its(int u, int mention);
   void imply_adjective(int u, int mention);
   bool is_placed_before(int mention, int link) const;
+  int last_at_wall(const std::vector<int>& but) const;
   int last_great_thing(const std::vector<int>& but) const;
   void imply_opposite(int u, const NounPhrase& place, int link);
   void mean_each_other(Link& link);

@@ -28,6 +28,7 @@ void Scribe::imply_opposite(int u, const NounPhrase& place, int link) {
     const int m = mention_[static_cast<std::size_t>(before)];
     if (is(before, UnitKind::kNoun) && reading(before).role == NounRole::kRoot && m >= 0 && stands(m)) other = m;
   }
+  if (other < 0) other = last_at_wall(targets);
   if (other < 0) other = last_great_thing(targets);
   if (other < 0 || targets.empty()) return;
   Link opposite;
@@ -38,6 +39,23 @@ void Scribe::imply_opposite(int u, const NounPhrase& place, int link) {
   opposite.first = chunk(u).first;
   opposite.last = chunk(u).last;
   document_.links.push_back(std::move(opposite));
+}
+
+// The last thing that was said to be at a wall or a window, best one that stands on the floor; -1: none.
+int Scribe::last_at_wall(const std::vector<int>& but) const {
+  int hung = -1;
+  for (std::size_t l = document_.links.size(), looked = 0; l-- > 0 && looked < kReach; ++looked) {
+    const Link& link = document_.links[l];
+    const bool at_wall = says(link.senses, RelationType::kAgainstWall) || says(link.senses, RelationType::kOnWall) ||
+                         says(link.senses, RelationType::kUnderWindow);
+    if (!at_wall || link.soft || link.targets.empty() || link.references.empty()) continue;
+    const NounKind place = noun_of(link.references.front()).kind;
+    const int m = link.targets.front();
+    if ((place != NounKind::kWall && place != NounKind::kWindow) || !is_thing(m) || contains(but, m)) continue;
+    if (mount_of(noun_of(m)) == Mount::kFloor) return m;
+    if (hung < 0) hung = m;
+  }
+  return hung;
 }
 
 // The last thing that was named and stands on the floor and is no seat that stands free; first what earlier sentences spoke of.
