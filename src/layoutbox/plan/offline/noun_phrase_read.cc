@@ -156,11 +156,7 @@ std::optional<bool> NounPhraseReader::read_thing(const Match& match, bool noun_b
     return false;
   const bool covers =
       match.length == 1 && !parts_.empty() && parts_.back().plural && lexicon_.is_place_verb(token().text) && opens_at(i_ + 1);
-  // "Inside the case rest three fossils"
-  const bool inverted = phrase_.determiner == Determiner::kDefinite && match.length == 1 && !parts_.empty() && parts_.back().last == i_ &&
-                        lexicon_.is_place_verb(token().text) && opens_at(i_ + 1);
-  const bool verb = (verbal || covers) && (noun_before || inverted) && !hyphenated(i_) &&
-                    !names_after_one(match);  // "curtains frame the window"
+  const bool verb = (verbal || covers) && noun_before && !hyphenated(i_) && !names_after_one(match);  // "curtains frame the window"
   if (object != nullptr && !verb && !part) return add(WordClass::kObject, *object, match.length, match.plural);
   if (object != nullptr && part) return add(WordClass::kPart, *object, match.length, match.plural);
   if (part && match.length == 1 && has(match, WordClass::kPart)) {  // "two sinks": parts of a vanity, or things

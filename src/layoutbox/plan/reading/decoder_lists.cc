@@ -33,7 +33,8 @@ bool Decoder::heads_subject(int u) const {
 bool Decoder::strewn_past_host(const State& state, int place, int u) const {
   if (read_as(state, place).alone || !is_thing(state, place + 1) || mount_of(chunk(u).noun) != Mount::kSurface) return false;
   const NounPhrase& rug = noun_of(state, place + 1);
-  const bool content = !state.frontier.empty() && read_as(state, state.frontier.back()).role == NounRole::kContent;
+  bool content = false;
+  for (int v = place + 2; v < u; ++v) content |= is(v, UnitKind::kNoun) && read_as(state, v).role == NounRole::kContent;
   return content && rug.entry != nullptr && rug.entry->thin;
 }
 

@@ -102,7 +102,8 @@ double SenseScore::over(const NounPhrase& target, const NounPhrase& reference) c
 bool SenseScore::is_chair(const NounPhrase& noun) const { return is_seat(catalog_, noun) && one_of(noun.head, {"chair", "stool"}); }
 
 bool SenseScore::on_soft(const NounPhrase& host, const NounPhrase& thing) const {
-  const bool soft = one_of(host.head, WordSet::kLainOn) || (is_seat(catalog_, host) && !one_of(host.head, WordSet::kHardSeats));
+  const bool easy = host.entry != nullptr && host.entry->is(Trait::kEasySeat);
+  const bool soft = one_of(host.head, WordSet::kLainOn) || easy || (is_seat(catalog_, host) && !one_of(host.head, WordSet::kHardSeats));
   return soft && thing.kind == NounKind::kObject && !is_textile(catalog_, thing);
 }
 
