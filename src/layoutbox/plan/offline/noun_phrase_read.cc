@@ -41,11 +41,10 @@ bool NounPhraseReader::names_after_one(const Match& match) const {
                     (parts_.back().word_class == WordClass::kFiller && (named.ends_with("ing") || is_noun(word_form(named))));
   // "; thurible stand, in a corner"
   const bool item = phrase_.determiner == Determiner::kNone && bare_ && phrase_.first > 0 && tokens_[phrase_.first - 1].ends_sentence;
-  const bool told =
-      phrase_.determiner == Determiner::kDefinite &&
-      (phrase_.first == 0 || tokens_[phrase_.first - 1].ends_sentence ||
-       (tokens_[phrase_.first - 1].kind == Token::Kind::kWord &&
-        lexicon_.find_phrase(tokens_, phrase_.first - 1).length == 0));  // not "on the mantel stand a clock and a vase"
+  const bool told = phrase_.determiner == Determiner::kDefinite &&
+                    (phrase_.first == 0 || tokens_[phrase_.first - 1].ends_sentence ||
+                     (tokens_[phrase_.first - 1].kind == Token::Kind::kWord &&
+                      lexicon_.find_phrase(tokens_, phrase_.first - 1).length == 0));  // not "on the mantel stand a clock and a vase"
   const bool one = phrase_.determiner == Determiner::kIndefinite || told || item;
   if (!noun || !one || phrase_.count != 0) return false;
   if (plural_at(i_) || text.ends_with("ed") || text.ends_with("ing") || opens_at(i_ + 1)) return false;

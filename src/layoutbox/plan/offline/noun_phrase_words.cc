@@ -117,8 +117,8 @@ bool NounPhraseReader::opens_at(std::size_t i) const {
 Match NounPhraseReader::without_verb(const Match& match) const {
   const std::size_t final = i_ + match.length - 1;
   // "a sofa set against the wall" was put there.
-  if (match.length == 2 && tokens_[final].text == "set" && final + 1 < tokens_.size() && tokens_[final + 1].text != "in" &&
-      lexicon_.find_phrase(tokens_, final + 1).length > 0) {
+  if (match.length == 2 && lexicon_.set_of(text_of(tokens_, i_, final + 1)) != nullptr && tokens_[final].text == "set" &&
+      final + 1 < tokens_.size() && tokens_[final + 1].text != "in" && lexicon_.find_phrase(tokens_, final + 1).length > 0) {
     const Match thing = lexicon_.find(tokens_.first(final), i_);
     if (has(thing, WordClass::kObject)) return thing;
   }

@@ -122,7 +122,8 @@ void settle_door_swings(Document& document) {
     });
     const std::size_t end = next == document.chunks.end() ? document.tokens.size() : next->first;
     for (std::size_t i = door.first; i + 1 < std::min(end, door.last + kWords); ++i) {
-      if (says_one_of(document, i, {"open", "opens", "opening", "swinging"}) && says_one_of(document, i + 1, {"out", "outward", "outwards"}))
+      if (says_one_of(document, i, {"open", "opens", "opening", "swinging"}) &&
+          says_one_of(document, i + 1, {"out", "outward", "outwards"}))
         door.attributes.emplace_back("outwards");
     }
   }

@@ -188,6 +188,18 @@ void Decoder::find_known() {
   }
 }
 
+// "a dish rack and a cup next to the rack": what the sentence called by its full name.
+const NounPhrase& Decoder::called_before(const State& state, int u) const {
+  const NounPhrase& noun = noun_of(state, u);
+  if (noun.kind != NounKind::kObject || noun.determiner != Determiner::kDefinite || noun.name != noun.head) return noun;
+  for (int before = u; before-- > 0;) {
+    const NounPhrase& full = chunk(before).noun;
+    if (is(before, UnitKind::kNoun) && full.kind == NounKind::kObject && full.name != noun.name && names_same(noun, full, true, false))
+      return full;
+  }
+  return noun;
+}
+
 // The members of a list from `first` to `last`, in order.
 std::vector<int> Decoder::list_of(const State& state, int last, int first) const {
   std::vector<int> all;

@@ -221,6 +221,7 @@ class Decoder {
   bool same(const State& state, Referent one, Referent other) const;
   bool several(const State& state, Referent referent) const;
   bool is_known(const State& state, int u) const;
+  const NounPhrase& called_before(const State& state, int u) const;
   bool is_definite(const State& state, int u) const;
   std::vector<int> list_of(const State& state, int last, int first) const;
   Referent host_of(const State& state, int content) const;

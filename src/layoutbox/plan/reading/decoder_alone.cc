@@ -126,7 +126,9 @@ void Decoder::alone_actions(std::size_t s, int u) {
   // "to its right there is a plant, to its left a table"
   const bool noun_next = follows(u, UnitKind::kNoun) && chunk(u + 1).noun.kind == NounKind::kObject;
   // "on it, from left to right, stand a jar and a mug"
-  const int verb = is(u + 1, UnitKind::kPlace) && says(unit(u + 1).alone, RelationType::kRow) ? u + 2 : u + 1;
+  int verb = is(u + 1, UnitKind::kPlace) && says(unit(u + 1).alone, RelationType::kRow) ? u + 2 : u + 1;
+  // "… and opposite it, along the wall, are three lockers"
+  while (is(verb, UnitKind::kPlace) && unit(verb).joiner == Joiner::kComma && follows(verb, UnitKind::kNoun)) verb += 2;
   const bool verb_next = (is(verb, UnitKind::kVerb) || is(verb, UnitKind::kOpen)) && is(verb + 1, UnitKind::kNoun) &&
                          chunk(verb + 1).noun.kind == NounKind::kObject;
   const bool comma_next =
@@ -208,9 +210,7 @@ void Decoder::alone_of_member(std::size_t s, int u, std::size_t level, int neare
   if (document_.tokens[chunk(u).last - 1].text == "it" || (says_its(u) && !whom.plural)) whom.head = "it";
   // "a laptop on the right side of the desk and a mug on the left side": of the desk as well.
   // … but what stands on the floor is not to the side of what lies on a thing
-  const auto lies_beside = [&](Referent host) {
-    return mount_of(noun_of(state, member)) != Mount::kFloor || !is_carried(state, host);
-  };
+  const auto lies_beside = [&](Referent host) { return mount_of(noun_of(state, member)) != Mount::kFloor || !is_carried(state, host); };
   if (const Referent host = side_host(state, u, senses); host != kNobody && !same(state, host, member) && lies_beside(host))
     alone_of_list(s, u, level, {host, gain + weight::kSameSide, false});
   if (const auto room = room_side_score(state, u); room && mount_of(noun_of(state, member)) != Mount::kSurface)

@@ -43,6 +43,10 @@ double Decoder::antecedent_place_score(const State& state, Referent referent, Re
   if (subject >= 0 && referent != owner && lies && is_unsaid(noun) && sat_on) score += weight::kTopOfOtherSeat;
   if (subject >= 0 && referent != owner && owner != kNobody && read_as(state, subject).former >= 0 && lies && lists_on_it(subject))
     score += weight::kNoReference;
+  // "a TV hangs opposite the sofa, a speaker below it": not below the sofa
+  const bool thin = target.entry != nullptr && target.entry->thin;
+  const bool by_seat = is_seat(lexicon_.catalog(), meant) && referent >= 0 && read_as(state, referent).role == NounRole::kReference;
+  if (says(senses, RelationType::kUnder) && by_seat && !thin && is_it(noun)) score += weight::kNotBeside;
   // "a mirror with a shelf below it"
   const bool over = says(senses, RelationType::kAbove) || says(senses, RelationType::kUnder);
   const bool first = subject >= 0 && read_as(state, subject).former < 0;  // … "with a sink, a mirror above": above the sink

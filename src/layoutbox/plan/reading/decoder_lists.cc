@@ -23,19 +23,27 @@ bool shares_article(const NounPhrase& noun, const NounPhrase& former) {
 
 bool Decoder::is_subject(int u) const { return verb_like(u + 1) && unit(u + 1).joiner == Joiner::kNone && !unit(u + 1).clause; }
 
-// "…, and a basket and a paper lie on the table": the first of two of which a verb of several is said.
+// "…, and a basket and a paper lie on the table", "…, and a shelf beside the bed holds a clock": a clause of its own begins there.
 bool Decoder::heads_subject(int u) const {
-  return unit(u).joiner == Joiner::kCommaAnd && is(u + 1, UnitKind::kNoun) && unit(u + 1).joiner == Joiner::kAnd && is_new_thing(chunk(u).noun) &&
-         !chunk(u).noun.is_plural() && is_subject(u + 1) && !is_finite(word(u + 2)) && !chunk(u + 1).noun.is_plural();
+  if (unit(u).joiner != Joiner::kCommaAnd || !is_new_thing(chunk(u).noun)) return false;
+  if (follows(u, UnitKind::kPlace) && follows(u + 1, UnitKind::kNoun))
+    return follows(u + 2, UnitKind::kHave) && is_finite(word(u + 3)) && !chunk(u).noun.is_plural();
+  return is(u + 1, UnitKind::kNoun) && unit(u + 1).joiner == Joiner::kAnd && !chunk(u).noun.is_plural() && is_subject(u + 1) &&
+         !is_finite(word(u + 2)) && !chunk(u + 1).noun.is_plural();
 }
 
-// "On the rug stands a table carrying two books, a vase and a candle": small things lie on the table.
+// "On the rug stands a table carrying two books, a vase and a candle", "along the wall runs a counter that holds a sink, a cup and a jar":
+// small things are on what carries such things there.
 bool Decoder::strewn_past_host(const State& state, int place, int u) const {
-  if (read_as(state, place).alone || !is_thing(state, place + 1) || mount_of(chunk(u).noun) != Mount::kSurface) return false;
-  const NounPhrase& rug = noun_of(state, place + 1);
-  bool content = false;
-  for (int v = place + 2; v < u; ++v) content |= is(v, UnitKind::kNoun) && read_as(state, v).role == NounRole::kContent;
-  return content && rug.entry != nullptr && rug.entry->thin;
+  if (read_as(state, place).alone || !is(place + 1, UnitKind::kNoun) || mount_of(chunk(u).noun) != Mount::kSurface) return false;
+  const NounPhrase& by = noun_of(state, place + 1);
+  const bool rug = by.entry != nullptr && by.entry->thin;
+  if (!rug && by.kind != NounKind::kWall && by.kind != NounKind::kCorner && by.kind != NounKind::kWindow) return false;
+  for (int v = place + 2; v < u; ++v) {
+    const Referent host = is(v, UnitKind::kNoun) && read_as(state, v).role == NounRole::kContent ? host_of(state, v) : kNobody;
+    if (is_thing(state, host) && sense_.carries(noun_of(state, host), chunk(u).noun)) return true;
+  }
+  return false;
 }
 
 bool Decoder::has_place(int u) const {
@@ -150,7 +158,8 @@ void Decoder::root_list_actions(std::size_t s, int u, double gain) {
   const bool disagrees = subject && noun.is_plural() && (is_finite(word(u + 1)) || word(u + 1) == "is" || word(u + 1) == "was");
   gain += disagrees ? weight::kDisagrees : subject ? weight::kSubjectFollows : placed ? weight::kPlaceFollows : 0;
   double share = 0;
-  for (const int place : state.fronted) share += reference_score(state, place, u) + (strewn_past_host(state, place, u) ? weight::kSmallByPlace : 0);
+  for (const int place : state.fronted)
+    share += reference_score(state, place, u) + (strewn_past_host(state, place, u) ? weight::kSmallByPlace : 0);
   // "On the table a mug and a pad lie beside a clock": a plural verb of one thing speaks of the list.
   // "on which a vase and two cups stand": what came first has no other verb.
   const bool agrees =

@@ -137,7 +137,9 @@ void Decoder::waited_member_actions(std::size_t s, int u) {
   const UnitReading& place = read_as(state, p);
   const NounPhrase& noun = chunk(u).noun;
   const bool part = noun.kind != NounKind::kPronoun && noun.kind != NounKind::kMember;
-  for (const Candidate& meant : antecedents(state, place.subject, part ? nullptr : &unit(p).direct, &noun, place.first_subject))
+  NounPhrase whose = noun;
+  if (part && word(u) == "its") whose.plural = false, whose.count = 0;  // "in its drawers": of one
+  for (const Candidate& meant : antecedents(state, place.subject, part ? nullptr : &unit(p).direct, &whose, place.first_subject))
     add(s, kFill, meant.score + (part ? part_score(state, p, noun, meant.referent) : 0), -1, -1, meant.referent, meant.list);
   if (part) repeated_part_actions(s, u);
   // "two chairs face two on the other side", "a sofa opposite another": more of the kind.
@@ -214,7 +216,7 @@ double Decoder::reference_score(const State& state, int place, Referent referenc
   const Referent other = fronted ? place + 1 : reference;
   if (subject == kNobody) return 0;
   if (same(state, subject, other)) return weight::kItself;
-  const NounPhrase &target = noun_of(state, subject), &by = noun_of(state, other);
+  const NounPhrase &target = noun_of(state, subject), &by = other >= 0 ? called_before(state, other) : noun_of(state, other);
   if (target.kind != NounKind::kObject) return 0;
   double score = sense_.of_place(unit(place).direct, target, by);
   if (!fronted && reading.first_subject != subject && subject >= 0) {

@@ -63,7 +63,8 @@ void Decoder::have_actions(std::size_t s, int u) {
 // "a cabinet stands beside the desk with a printer on top": what tops something is told of what the clause is about.
 bool Decoder::tops_clause(const State& state, int u) const {
   int place_of = u + 2;
-  while (is(place_of, UnitKind::kNoun) && unit(place_of).joiner != Joiner::kNone && !unit(place_of).clause) ++place_of;  // "a kettle and a pan"
+  while (is(place_of, UnitKind::kNoun) && unit(place_of).joiner != Joiner::kNone && !unit(place_of).clause)
+    ++place_of;  // "a kettle and a pan"
   if (state.frontier.size() < 2 || !is(u + 1, UnitKind::kNoun) || !is(place_of, UnitKind::kPlace) || follows(place_of, UnitKind::kNoun))
     return false;
   // "two armchairs stand by the fireplace with a lamp between them": the armchairs have it.

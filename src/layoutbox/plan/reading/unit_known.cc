@@ -1,5 +1,6 @@
 // Noun phrases whose company says what they are: things among things, things spoken of again, shares of what was named.
 #include "layoutbox/plan/offline/english.h"
+#include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/reading/unit_reader.h"
 
@@ -71,9 +72,12 @@ bool UnitReader::names_known(std::size_t k) const {
   const bool of_known =
       noun.determiner == Determiner::kDefinite || noun.determiner == Determiner::kEach || noun.determiner == Determiner::kBoth;
   const bool part = noun.kind == NounKind::kPart && noun.determiner == Determiner::kEach && !noun.of;  // "two pottery wheels … each wheel"
-  if (!(noun.kind == NounKind::kAbstract && noun.doubted && of_known) && !part) return false;
+  // "a dish rack and a mug next to the rack": a thing on a counter, and no part
+  const bool short_name = noun.kind == NounKind::kPart && noun.determiner == Determiner::kDefinite && !noun.of && noun.as_object != nullptr;
+  if (!(noun.kind == NounKind::kAbstract && noun.doubted && of_known) && !part && !short_name) return false;
   for (std::size_t c = k; c-- > 0 && c + kBack > k;) {
     if (!is(c, ChunkKind::kNoun) || chunk(c).noun.kind != NounKind::kObject) continue;
+    if (short_name && mount_of(chunk(c).noun) != Mount::kSurface) continue;
     const std::string& name = chunk(c).noun.name;
     constexpr std::size_t kShortest = 5;  // "the board" of a whiteboard
     if (name.ends_with(" " + noun.head) || (noun.head.size() >= kShortest && name.ends_with(noun.head))) return true;
