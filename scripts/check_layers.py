@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks that no folder under src/layoutbox/ includes one above it, or a sibling on its own floor.
+"""Checks that no folder under src/layoutbox/ includes one above it, or a sibling on its own floor, and that no two types at file level share a name.
 
 usage: scripts/check_layers.py [SOURCE_FOLDER]      (default: src/layoutbox of this repository)
 Prints one line per fault, with the place; exit status 1 where there is any.
@@ -7,6 +7,7 @@ Prints one line per fault, with the place; exit status 1 where there is any.
 
 import re
 import sys
+from collections import defaultdict
 from pathlib import Path
 
 # From the ground up; the folders of one floor do not know each other.
@@ -25,6 +26,13 @@ FLOORS = (
 FORBIDDEN = {"verify": {"plan", "solve", "furnish"}}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<(layoutbox/[^>]+)>)', re.MULTILINE)
+# Types that stand at the left margin: what another type holds is told apart by that one's name. A forward declaration is none.
+TYPE = re.compile(
+    r"^(?:template *<[^>]*>\s*)?(?:struct|class|union|enum(?: +(?:class|struct))?)\s+(?:\[\[[^\]]*\]\]\s*)?([A-Za-z_]\w*)\s*"
+    r"(?:final\s*)?(?::[^:;{][^;{]*)?\{",
+    re.MULTILINE,
+)
+ALIAS = re.compile(r"^(?:template *<[^>]*>\s*)?using\s+([A-Za-z_]\w*)\s*=\s*([^;]*);", re.MULTILINE)
 FLOOR_OF = {folder: floor for floor, folders in enumerate(FLOORS) for folder in folders}
 GENERATED = "embedded"  # headers that the build makes from data
 
@@ -67,13 +75,38 @@ def faults(source):
                 yield f"{path}:{line}: includes {included}: {reason}"
 
 
+def types_of(text):
+    """Name and offset of each type at file level, and whether it is an alias; one that keeps the last name of what it stands for is none."""
+    for match in TYPE.finditer(text):
+        yield match.group(1), match.start(1), False
+    for match in ALIAS.finditer(text):
+        if re.findall(r"\w+", match.group(2))[-1:] != [match.group(1)]:
+            yield match.group(1), match.start(1), True
+
+
+def shared_names(source):
+    """Types of the same name, as lines "file:line: type X is also at …". Aliases (`Json`) may repeat one another, but no type."""
+    places = defaultdict(list)
+    for path in sorted(source.rglob("*")):
+        if path.suffix in {".h", ".cc", ".inc"}:
+            text = path.read_text(encoding="utf-8")
+            for name, at, alias in types_of(text):
+                line = text.count("\n", 0, at) + 1
+                places[name].append((f"{path}:{line}", alias))
+    for name, found in sorted(places.items()):
+        first = next((place for place, alias in found if not alias), None)
+        for place, _ in found:
+            if first and place != first:
+                yield f"{place}: type {name} is also at {first}; give it a name of its own"
+
+
 def main(arguments):
     source = Path(arguments[0]) if arguments else Path(__file__).resolve().parent.parent / "src" / "layoutbox"
     if not source.is_dir():
         print(f"{source} is no folder", file=sys.stderr)
         return 2
-    found = list(faults(source))
-    print("\n".join(found) if found else "layers: every include points down")
+    found = [*faults(source), *shared_names(source)]
+    print("\n".join(found) if found else "layers: every include points down, every type has a name of its own")
     return 1 if found else 0
 
 

@@ -1,4 +1,4 @@
-"""The layer check finds what points up or sideways, and nothing else."""
+"""The layer check finds what points up or sideways and types that share a name, and nothing else."""
 
 import subprocess
 import sys
@@ -51,6 +51,28 @@ class CheckLayers(unittest.TestCase):
     def test_path_not_from_src_is_a_fault(self):
         for path in ("../scene/layout.h", "layout.h", "layoutbox/solve/../render/render.h"):
             self.assertEqual(self.check(solve__a=f'#include "{path}"\n')[0], 1, path)
+
+    def test_two_types_of_one_name(self):
+        for one, other in (
+            ("struct Way {", "enum class Way : int {"),
+            ("class Way final : public Base {", "class Way {"),
+            ("struct Way {", "using Way = std::vector<int>;"),
+            ("template <typename T>\nstruct Way {", "struct [[nodiscard]] Way {"),
+        ):
+            status, out = self.check(base__a=one, cli__b=f"// first line\n{other}")
+            self.assertEqual(status, 1, other)
+            self.assertRegex(out, r"type Way is also at .*/(base/a|cli/b)\.cc:[12]", other)
+
+    def test_what_is_no_second_type(self):
+        for other in (
+            "struct Way;",  # a forward declaration
+            "struct Road {\n  struct Way {\n  };\n};",  # Road::Way
+            "using Way = edit::Way;",
+            "// struct Way {\n",
+            "struct Ways {",
+        ):
+            self.assertEqual(self.check(base__a="struct Way {", cli__b=other)[0], 0, other)
+        self.assertEqual(self.check(base__a="using Json = nlohmann::json;", cli__b="using Json = nlohmann::ordered_json;")[0], 0)
 
     def test_this_repository(self):
         done = subprocess.run([sys.executable, SCRIPT], text=True, capture_output=True, check=False)

@@ -9,17 +9,17 @@
 namespace layoutbox {
 namespace {
 
-using Names = std::vector<std::string>;
+using NameList = std::vector<std::string>;
 
-Names names_in(const nlohmann::json& value, const char* key) { return value.value(key, Names{}); }
+NameList names_in(const nlohmann::json& value, const char* key) { return value.value(key, NameList{}); }
 
 Mm length_in(const nlohmann::json& value, const char* key) { return mm_from_m(value.value(key, 0.0)); }
 
-using Sets = std::map<std::string, Names>;
+using Sets = std::map<std::string, NameList>;
 
 // Names, of which one may stand for a set of them.
-Names names_in(const nlohmann::json& value, const char* key, const Sets& sets) {
-  Names names;
+NameList names_in(const nlohmann::json& value, const char* key, const Sets& sets) {
+  NameList names;
   for (const std::string& name : names_in(value, key)) {
     const auto set = sets.find(name);
     if (set == sets.end()) {

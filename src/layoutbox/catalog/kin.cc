@@ -37,7 +37,7 @@ constexpr std::array<std::string_view, 7> kPlaceLists = {"on_wall",       "on_fl
 
 struct Kinds {
   Words kinds, modifiers, heads, portions, kept_in, own_parts, company, users;
-  std::array<Words, kPlaceLists.size()> at_places;  // by Place
+  std::array<Words, kPlaceLists.size()> at_places;  // by KinPlace
   std::set<std::string_view> no_things, body_parts;
   std::map<std::string, std::string_view, std::less<>> like_keys;  // by the key (words.h)
 };
@@ -147,7 +147,7 @@ bool is_no_thing(const Catalog& catalog, std::string_view word) {
   return false;
 }
 
-const CatalogEntry* kind_at(const Catalog& catalog, std::string_view id, Place place) {
+const CatalogEntry* kind_at(const Catalog& catalog, std::string_view id, KinPlace place) {
   const Words& kinds = known_kinds().at_places[static_cast<std::size_t>(place)];
   const auto found = kinds.find(id);
   return found == kinds.end() ? nullptr : catalog.find(found->second);

@@ -33,7 +33,7 @@ std::vector<std::pair<std::string_view, std::string_view>> like_words();
 std::string_view portion_entry(std::string_view container);
 
 // Where a thing is of another kind than where it mostly is.
-enum class Place : std::uint8_t {
+enum class KinPlace : std::uint8_t {
   kOnWall,        // bookshelf → wall_bookshelf
   kOnFloor,       // of what mostly stands on something: lamp → floor_lamp
   kOnCeiling,     // lamp → ceiling_lamp
@@ -44,7 +44,7 @@ enum class Place : std::uint8_t {
 };
 
 // The entry that one of that id is there; null where it stays what it is, or where the catalogue has no such entry.
-const CatalogEntry* kind_at(const Catalog& catalog, std::string_view id, Place place);
+const CatalogEntry* kind_at(const Catalog& catalog, std::string_view id, KinPlace place);
 
 // The id of the entry that a plain word means of what stands on or in such a thing ("bin" on shelves → storage_bin), or empty.
 std::string_view kept_in_entry(std::string_view head, const CatalogEntry& host);

@@ -65,20 +65,20 @@ TEST(Kin, LikeWordsLeadToTheirEntry) {
 }
 
 TEST(Kin, WhatIsElsewhereThanMostlyIsOfAnotherKind) {
-  const auto at = [](std::string_view id, Place place) {
+  const auto at = [](std::string_view id, KinPlace place) {
     const CatalogEntry* kind = kind_at(Catalog::builtin(), id, place);
     return kind == nullptr ? std::string("as it is") : kind->id;
   };
-  EXPECT_EQ(at("bookshelf", Place::kOnWall), "wall_bookshelf");
-  EXPECT_EQ(at("coat_rack", Place::kOnWall), "hook_rail");
-  EXPECT_EQ(at("pillow", Place::kOnFloor), "floor_cushion");
-  EXPECT_EQ(at("lamp", Place::kOnCeiling), "ceiling_lamp");
-  EXPECT_EQ(at("plant", Place::kOnThing), "small_plant");
-  EXPECT_EQ(at("table", Place::kBetweenSeats), "side_table");
-  EXPECT_EQ(at("curtain_rod", Place::kAroundBed), "privacy_curtain");
-  EXPECT_EQ(at("sink", Place::kSetIn), "inset_sink");
-  EXPECT_EQ(at("sofa", Place::kOnWall), "as it is");
-  EXPECT_EQ(kind_at(Catalog({}, {}), "sink", Place::kSetIn), nullptr);
+  EXPECT_EQ(at("bookshelf", KinPlace::kOnWall), "wall_bookshelf");
+  EXPECT_EQ(at("coat_rack", KinPlace::kOnWall), "hook_rail");
+  EXPECT_EQ(at("pillow", KinPlace::kOnFloor), "floor_cushion");
+  EXPECT_EQ(at("lamp", KinPlace::kOnCeiling), "ceiling_lamp");
+  EXPECT_EQ(at("plant", KinPlace::kOnThing), "small_plant");
+  EXPECT_EQ(at("table", KinPlace::kBetweenSeats), "side_table");
+  EXPECT_EQ(at("curtain_rod", KinPlace::kAroundBed), "privacy_curtain");
+  EXPECT_EQ(at("sink", KinPlace::kSetIn), "inset_sink");
+  EXPECT_EQ(at("sofa", KinPlace::kOnWall), "as it is");
+  EXPECT_EQ(kind_at(Catalog({}, {}), "sink", KinPlace::kSetIn), nullptr);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ constexpr Mm kElbows = 60;      // between seats at a counter
 constexpr int kSteps = 10;      // from the usual size to the greatest
 constexpr int kMoreSteps = 5;   // as long again as half of that, by a tenth of the greatest each, for what is to be on or in it
 
-struct Contents {
+struct HostContents {
   std::vector<Size> on_top, inside;
   std::vector<Size> least_on_top, least_inside;  // … at their least sizes
   int around = 0, along = 0;                     // seats
@@ -55,7 +55,7 @@ bool fit_in_rows(std::vector<Size> things, Mm width, Mm depth, int planes) {
 }
 
 // What is to be on it and in it finds room.
-bool carries_all(const CatalogEntry& entry, const SceneObject& host, const Size& size, const Contents& contents) {
+bool carries_all(const CatalogEntry& entry, const SceneObject& host, const Size& size, const HostContents& contents) {
   if (entry.top_carries && !fit_in_rows(contents.on_top, size.width, size.depth, 1)) return false;
   std::vector<Space> carrying = spaces_of(host, entry, size);
   std::erase_if(carrying, [](const Space& space) { return !space.carries; });
@@ -70,12 +70,12 @@ bool carries_all(const CatalogEntry& entry, const SceneObject& host, const Size&
 }
 
 // As many places at a table as seats of that width take: an armchair needs more than one.
-int places(int seats, const Contents& contents) {
+int places(int seats, const HostContents& contents) {
   const Mm each = std::max(kSeatWidth, contents.seat + kElbows);
   return (seats * each + kSeatWidth - 1) / kSeatWidth;
 }
 
-bool holds(const CatalogEntry& entry, const SceneObject& host, const Size& size, const Contents& contents) {
+bool holds(const CatalogEntry& entry, const SceneObject& host, const Size& size, const HostContents& contents) {
   if (!carries_all(entry, host, size, contents)) return false;
   const double edge = is_round(host, entry) ? std::numbers::pi * size.width : 2.0 * (size.width + size.depth);
   const Mm width = std::max({contents.front, contents.abreast, places((contents.along + 1) / 2, contents) * kSeatWidth});
@@ -86,7 +86,7 @@ Mm between(Mm from, Mm to, int step) { return from + (to - from) * step / kSteps
 
 // The first size on the way to the greatest that holds it all; the greatest where none does, or a little more where that is enough for
 // what is on and in it.
-Size size_that_holds(const CatalogEntry& entry, const SceneObject& host, const Contents& contents) {
+Size size_that_holds(const CatalogEntry& entry, const SceneObject& host, const HostContents& contents) {
   Size size = host.size->usual;
   for (int step = 0; step <= kSteps; ++step) {
     size.width = between(host.size->usual.width, host.size->greatest.width, step);
@@ -100,7 +100,7 @@ Size size_that_holds(const CatalogEntry& entry, const SceneObject& host, const C
     larger.depth = size.depth + size.depth * step / kSteps;
     if (carries_all(entry, host, larger, contents)) return larger;
   }
-  Contents least = contents;  // "a plant stand with three ferns": small ones on a large one
+  HostContents least = contents;  // "a plant stand with three ferns": small ones on a large one
   least.on_top = contents.least_on_top, least.inside = contents.least_inside;
   return carries_all(entry, host, larger, least) ? larger : size;
 }
@@ -118,9 +118,9 @@ Mm widest_seat(const Catalog& catalog, const std::map<std::string, const SceneOb
   return widest;
 }
 
-using ById = std::map<std::string, const SceneObject*>;
+using ObjectsById = std::map<std::string, const SceneObject*>;
 
-Mm seat_width(const Catalog& catalog, const ById& by_id, const std::vector<std::string>& ids) {
+Mm seat_width(const Catalog& catalog, const ObjectsById& by_id, const std::vector<std::string>& ids) {
   Mm width = 0;
   for (const std::string& id : ids) {
     const auto seat = by_id.find(id);
@@ -148,7 +148,7 @@ void shrink_for_room(const NormalizeContext& context, int seats, const SizeForSe
 }
 
 // So large as the catalogue says it is for so many, be that larger than such things mostly are.
-void grow_with_seats(const NormalizeContext& context, const CatalogEntry& entry, const Contents& contents, SceneObject& host) {
+void grow_with_seats(const NormalizeContext& context, const CatalogEntry& entry, const HostContents& contents, SceneObject& host) {
   const Seating* seating = Groups::builtin().seating_at(context.catalog, entry, context.scene.room.type);
   const int seats = std::max(places(contents.around + contents.along, contents), contents.before);
   if (seating == nullptr || seats == 0) return;
@@ -182,7 +182,7 @@ std::vector<const SceneObject*> usual_hosts(const NormalizeContext& context, con
 
 // Seats that no relation places go to the only thing of the kind they usually stand by, or share those out that one sits round: bar stools
 // to the island, chairs to the table.
-void share_out_seats(const NormalizeContext& context, std::map<std::string, Contents>& hosts, const ById& by_id) {
+void share_out_seats(const NormalizeContext& context, std::map<std::string, HostContents>& hosts, const ObjectsById& by_id) {
   const SceneGraph& scene = context.scene;
   std::map<std::string, Mm> widths;
   std::map<std::string, int> counts;
@@ -208,7 +208,7 @@ void share_out_seats(const NormalizeContext& context, std::map<std::string, Cont
 }
 
 // Screens that would not stand side by side on the widest such desk are smaller ones.
-void narrow_screens(SceneGraph& scene, const Contents& contents, Mm width) {
+void narrow_screens(SceneGraph& scene, const HostContents& contents, Mm width) {
   if (contents.abreast <= width) return;
   const Mm each = (width / static_cast<Mm>(contents.screens.size()) - kGap) / kGridMm * kGridMm;
   for (SceneObject& screen : scene.objects) {
@@ -218,7 +218,7 @@ void narrow_screens(SceneGraph& scene, const Contents& contents, Mm width) {
 }
 
 // Seats along a table, across from what sits at its other side, are side by side: the table is as long as that takes.
-void seat_at_one_side(const SceneGraph& scene, std::map<std::string, Contents>& hosts) {
+void seat_at_one_side(const SceneGraph& scene, std::map<std::string, HostContents>& hosts) {
   std::map<std::string, std::string> table_of;  // by seat
   for (const Relation& r : scene.relations) {
     if (r.type != RelationType::kAlongSide || r.references.size() != 1) continue;
@@ -231,7 +231,7 @@ void seat_at_one_side(const SceneGraph& scene, std::map<std::string, Contents>& 
       const auto own = table_of.find(seat);
       return own != table_of.end() && own->second == table->second;
     });
-    Contents& contents = hosts[table->second];
+    HostContents& contents = hosts[table->second];
     contents.front = std::max(contents.front, static_cast<Mm>(count) * kSeatWidth);
   }
 }
@@ -267,7 +267,7 @@ void fold_over_seats(const Catalog& catalog, SceneGraph& scene) {
 }
 
 // Who sits at the one that the relation names.
-void count_seats(const Catalog& catalog, const ById& by_id, const Relation& relation, Contents& contents) {
+void count_seats(const Catalog& catalog, const ObjectsById& by_id, const Relation& relation, HostContents& contents) {
   const int seats = static_cast<int>(relation.targets.size());
   const bool around = traits_of(relation.type).around, along = relation.type == RelationType::kAlongSide;
   if (around || along) contents.seat = std::max(contents.seat, widest_seat(catalog, by_id, relation.targets));
@@ -284,12 +284,12 @@ void count_seats(const Catalog& catalog, const ById& by_id, const Relation& rela
 void normalize_hosts(NormalizeContext& context) {
   SceneGraph& scene = context.scene;
   fold_over_seats(context.catalog, scene);
-  ById by_id;
+  ObjectsById by_id;
   for (const SceneObject& object : scene.objects) by_id.emplace(object.id, &object);
-  std::map<std::string, Contents> hosts;
+  std::map<std::string, HostContents> hosts;
   for (const Relation& relation : scene.relations) {
     if (relation.references.size() != 1) continue;
-    Contents& contents = hosts[relation.references.front()];
+    HostContents& contents = hosts[relation.references.front()];
     count_seats(context.catalog, by_id, relation, contents);
     const bool on = relation.type == RelationType::kOn, in = relation.type == RelationType::kIn;
     for (const std::string& target : relation.targets) {

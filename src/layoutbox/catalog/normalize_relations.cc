@@ -187,7 +187,7 @@ class SupportChooser {
 
 // A lamp that must stand on the floor is a floor lamp, where the catalogue has one and nobody said how large it is.
 void become_floor_kind(NormalizeContext& context, SceneObject& object, const std::string& pointer) {
-  const CatalogEntry* kind = kind_at(context.catalog, object.category, Place::kOnFloor);
+  const CatalogEntry* kind = kind_at(context.catalog, object.category, KinPlace::kOnFloor);
   if (kind == nullptr || kind->mount != Mount::kFloor || object.size_source != SizeSource::kCatalog) return;
   context.note("guessed", fmt::format("\"{}\" stands on the floor: it is taken as a {}", object.id, kind->name), pointer + "/category");
   object.category = kind->id;

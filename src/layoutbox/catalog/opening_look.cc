@@ -39,9 +39,9 @@ std::string_view phrase_said(const WordList& row, const std::vector<std::string>
 }
 
 // One row holds for what those above it left open.
-class LookReader {
+class OpeningLookReader {
  public:
-  explicit LookReader(OpeningLook& look) : look_(look) {}
+  explicit OpeningLookReader(OpeningLook& look) : look_(look) {}
 
   void add(const WordList& row) {
     for (const WordList::Member member : row) {
@@ -88,7 +88,7 @@ OpeningLook opening_look(OpeningType type, const std::vector<std::string>& said)
   OpeningLook look;
   std::vector<std::string> words;
   for (const std::string& one : said) std::ranges::copy(words_of(one), std::back_inserter(words));
-  LookReader reader(look);
+  OpeningLookReader reader(look);
   if (const auto rows = rows_of(type); rows && !words.empty()) {
     for (const WordList::Member row : *rows) {
       if (!phrase_said(row.value, words).empty()) reader.add(row.value);

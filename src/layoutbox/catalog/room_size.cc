@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kLeast = 0.5, kGreatest = 100, kGreatestHeight = 50;
 
-struct Measure {
+struct SizeMeasure {
   double value = 0;  // in its unit
   std::string unit;  // empty: not said
 };
@@ -40,21 +40,21 @@ std::string plain_signs(std::string_view text) {
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-class SizeReader {
+class RoomSizeReader {
  public:
-  explicit SizeReader(std::string_view text) : text_(plain_signs(text)) {
+  explicit RoomSizeReader(std::string_view text) : text_(plain_signs(text)) {
     // A comma is the decimal sign only where something else separates the numbers.
     const bool other_separator = text_.find_first_of("xX*") != std::string::npos || text_.find("by") != std::string::npos;
     comma_is_decimal_ = other_separator && text_.find('.') == std::string::npos;
   }
 
-  Result<std::vector<Measure>> read() {
-    std::vector<Measure> measures;
+  Result<std::vector<SizeMeasure>> read() {
+    std::vector<SizeMeasure> measures;
     while (skip_separators()) {
-      LAYOUTBOX_ASSIGN(Measure measure, read_measure());
+      LAYOUTBOX_ASSIGN(SizeMeasure measure, read_measure());
       // 12'6": feet and inches are one length.
       if (measure.unit == "'" && place_ < text_.size() && is_digit(text_[place_])) {
-        LAYOUTBOX_ASSIGN(const Measure inches, read_measure());
+        LAYOUTBOX_ASSIGN(const SizeMeasure inches, read_measure());
         measure.value += inches.value / 12;
       }
       measures.push_back(std::move(measure));
@@ -74,13 +74,13 @@ class SizeReader {
     return false;
   }
 
-  Result<Measure> read_measure() {
+  Result<SizeMeasure> read_measure() {
     std::string number;
     while (place_ < text_.size() && (is_digit(text_[place_]) || text_[place_] == '.' || text_[place_] == '-' || decimal_comma_here())) {
       number += text_[place_] == ',' ? '.' : text_[place_];
       ++place_;
     }
-    Measure measure;
+    SizeMeasure measure;
     const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), measure.value);
     if (number.empty() || error != std::errc{} || end != number.data() + number.size()) return wrong();
     std::size_t begin = place_;
@@ -124,7 +124,7 @@ class SizeReader {
 Result<Size> parse_room_size(std::string_view text, std::string_view units) {
   if (!metres_per_unit(units))
     return fail(ErrorCode::kUsage, fmt::format("\"{}\" is no unit of length", units), {}, "give m, cm, mm, ft or in");
-  LAYOUTBOX_ASSIGN(std::vector<Measure> measures, SizeReader(text.substr(0, 200)).read());
+  LAYOUTBOX_ASSIGN(std::vector<SizeMeasure> measures, RoomSizeReader(text.substr(0, 200)).read());
   if (measures.size() < 2 || measures.size() > 3) {
     return fail(ErrorCode::kParse, fmt::format("the size of a room is two or three numbers, not {}", measures.size()), {},
                 "write width x depth x height, such as 4x3.2x3");

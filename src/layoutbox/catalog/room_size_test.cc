@@ -5,13 +5,13 @@
 namespace layoutbox {
 namespace {
 
-struct Case {
+struct RoomSizeCase {
   const char* text;
   const char* units;
   Size size;
 };
 
-class RoomSizes : public testing::TestWithParam<Case> {};
+class RoomSizes : public testing::TestWithParam<RoomSizeCase> {};
 
 TEST_P(RoomSizes, AreRead) {
   const auto size = parse_room_size(GetParam().text, GetParam().units);
@@ -21,14 +21,15 @@ TEST_P(RoomSizes, AreRead) {
   EXPECT_EQ(size->height, GetParam().size.height);
 }
 
-INSTANTIATE_TEST_SUITE_P(Spellings, RoomSizes,
-                         testing::Values(Case{"4x3.2x3", "", {4000, 3200, 3000}}, Case{"4.0 × 3.2 × 3.0 m", "", {4000, 3200, 3000}},
-                                         Case{"4.0 * 3.2 * 3.0 m", "", {4000, 3200, 3000}}, Case{"4m x 3.2m", "", {4000, 3200, 0}},
-                                         Case{"4mx3.2mx2.5m", "", {4000, 3200, 2500}}, Case{"400 by 320 cm", "", {4000, 3200, 0}},
-                                         Case{"400x320", "cm", {4000, 3200, 0}}, Case{"4000 X 3200 mm", "", {4000, 3200, 0}},
-                                         Case{"12'6\" x 10'", "", {3810, 3048, 0}}, Case{"10ft x 10 feet x 8 ft", "", {3048, 3048, 2438}},
-                                         Case{"4,5 x 3,25 m", "", {4500, 3250, 0}}, Case{"4, 3.2, 3", "", {4000, 3200, 3000}},
-                                         Case{"(4 x 2 x 3 meters)", "", {4000, 2000, 3000}}, Case{"4 m × 320 cm", "mm", {4000, 3200, 0}}));
+INSTANTIATE_TEST_SUITE_P(
+    Spellings, RoomSizes,
+    testing::Values(RoomSizeCase{"4x3.2x3", "", {4000, 3200, 3000}}, RoomSizeCase{"4.0 × 3.2 × 3.0 m", "", {4000, 3200, 3000}},
+                    RoomSizeCase{"4.0 * 3.2 * 3.0 m", "", {4000, 3200, 3000}}, RoomSizeCase{"4m x 3.2m", "", {4000, 3200, 0}},
+                    RoomSizeCase{"4mx3.2mx2.5m", "", {4000, 3200, 2500}}, RoomSizeCase{"400 by 320 cm", "", {4000, 3200, 0}},
+                    RoomSizeCase{"400x320", "cm", {4000, 3200, 0}}, RoomSizeCase{"4000 X 3200 mm", "", {4000, 3200, 0}},
+                    RoomSizeCase{"12'6\" x 10'", "", {3810, 3048, 0}}, RoomSizeCase{"10ft x 10 feet x 8 ft", "", {3048, 3048, 2438}},
+                    RoomSizeCase{"4,5 x 3,25 m", "", {4500, 3250, 0}}, RoomSizeCase{"4, 3.2, 3", "", {4000, 3200, 3000}},
+                    RoomSizeCase{"(4 x 2 x 3 meters)", "", {4000, 2000, 3000}}, RoomSizeCase{"4 m × 320 cm", "mm", {4000, 3200, 0}}));
 
 TEST(RoomSize, WrongTextIsAnError) {
   for (const char* text : {"", "big", "4", "4x", "4x3x2x1", "4x3.2.1", "x", "4--3x2"}) {

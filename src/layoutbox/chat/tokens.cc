@@ -10,25 +10,25 @@ namespace {
 constexpr int kLettersPerToken = 6;
 constexpr int kLeastAnswer = 128;  // less holds no scene
 
-enum class Kind { kLetter, kDigit, kBlank, kLineEnd, kOther, kSign };
+enum class CharacterKind { kLetter, kDigit, kBlank, kLineEnd, kOther, kSign };
 
-Kind kind_of(char c) {
-  if ((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')) return Kind::kLetter;
-  if (c >= '0' && c <= '9') return Kind::kDigit;
-  if (c == ' ' || c == '\t') return Kind::kBlank;
-  if (c == '\n' || c == '\r') return Kind::kLineEnd;
-  return static_cast<unsigned char>(c) >= 0x80 ? Kind::kOther : Kind::kSign;
+CharacterKind kind_of(char c) {
+  if ((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')) return CharacterKind::kLetter;
+  if (c >= '0' && c <= '9') return CharacterKind::kDigit;
+  if (c == ' ' || c == '\t') return CharacterKind::kBlank;
+  if (c == '\n' || c == '\r') return CharacterKind::kLineEnd;
+  return static_cast<unsigned char>(c) >= 0x80 ? CharacterKind::kOther : CharacterKind::kSign;
 }
 
 // `next`: what follows the run. A blank belongs to the word after it.
-std::int64_t tokens_of_run(Kind kind, std::int64_t length, Kind next) {
+std::int64_t tokens_of_run(CharacterKind kind, std::int64_t length, CharacterKind next) {
   switch (kind) {
-    case Kind::kLetter: return 1 + (length - 1) / kLettersPerToken;
-    case Kind::kDigit:
-    case Kind::kOther: return length;
-    case Kind::kBlank: return length > 1 || next == Kind::kDigit ? 1 : 0;
-    case Kind::kLineEnd: return 1;
-    case Kind::kSign: return (length + 1) / 2;
+    case CharacterKind::kLetter: return 1 + (length - 1) / kLettersPerToken;
+    case CharacterKind::kDigit:
+    case CharacterKind::kOther: return length;
+    case CharacterKind::kBlank: return length > 1 || next == CharacterKind::kDigit ? 1 : 0;
+    case CharacterKind::kLineEnd: return 1;
+    case CharacterKind::kSign: return (length + 1) / 2;
   }
   return length;
 }
@@ -41,7 +41,7 @@ std::int64_t number_after(std::string_view text, std::string_view words) {
   const std::size_t begin = found + words.size();
   std::string digits;
   for (std::size_t i = begin; i < std::min(text.size(), begin + kNear); ++i) {
-    if (kind_of(text[i]) == Kind::kDigit) {
+    if (kind_of(text[i]) == CharacterKind::kDigit) {
       digits += text[i];
     } else if (digits.size() >= 3 && text[i] != ',') {
       break;
@@ -59,7 +59,7 @@ std::int64_t number_before(std::string_view text, std::string_view words) {
   const std::size_t found = text.find(words);
   if (found == std::string_view::npos) return 0;
   std::size_t begin = found;
-  while (begin > 0 && kind_of(text[begin - 1]) == Kind::kDigit) --begin;
+  while (begin > 0 && kind_of(text[begin - 1]) == CharacterKind::kDigit) --begin;
   std::int64_t number = 0;
   std::from_chars(text.data() + begin, text.data() + found, number);
   return number;
@@ -70,10 +70,10 @@ std::int64_t number_before(std::string_view text, std::string_view words) {
 std::int64_t estimated_tokens(std::string_view text) {
   std::int64_t tokens = 1;
   for (std::size_t begin = 0; begin < text.size();) {
-    const Kind kind = kind_of(text[begin]);
+    const CharacterKind kind = kind_of(text[begin]);
     std::size_t end = begin;
     while (end < text.size() && kind_of(text[end]) == kind) ++end;
-    tokens += tokens_of_run(kind, static_cast<std::int64_t>(end - begin), end < text.size() ? kind_of(text[end]) : Kind::kSign);
+    tokens += tokens_of_run(kind, static_cast<std::int64_t>(end - begin), end < text.size() ? kind_of(text[end]) : CharacterKind::kSign);
     begin = end;
   }
   return tokens;

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Finding {
+struct DoctorFinding {
   std::string what;
   bool there = false;
   bool needed = true;  // without it something is missing that every run may want
@@ -22,7 +22,7 @@ struct Finding {
   std::string remedy;  // how to get it
 };
 
-Finding examine_solver() {
+DoctorFinding examine_solver() {
   const auto library = describe_cp_sat_library();
   if (library) return {"CP-SAT solver library", true, true, *library, "", ""};
   return {"CP-SAT solver library",
@@ -33,7 +33,7 @@ Finding examine_solver() {
           library.error().hint};
 }
 
-Finding examine_blender() {
+DoctorFinding examine_blender() {
   const auto blender = find_blender();
   if (!blender)
     return {"Blender",           false, true, blender.error().message, "pictures (scene.png) and scene.blend; all other files are made",
@@ -41,20 +41,20 @@ Finding examine_blender() {
   return {"Blender", true, true, fmt::format("{}, {}", fmt::join(blender->command, " "), blender->version), "", ""};
 }
 
-Finding examine_sandbox() {
+DoctorFinding examine_sandbox() {
   const auto walls = sandbox::describe_walls();
   if (walls) return {"sandbox", true, false, *walls, "", ""};
   return {"sandbox", false, false, walls.error().message, "scripts that a model wrote, and .blend files of others", walls.error().hint};
 }
 
-Finding examine_http() {
+DoctorFinding examine_http() {
   const auto library = chat::describe_http_library();
   if (library) return {"libcurl", true, false, *library, "", ""};
   return {"libcurl", false, false, library.error().message, "planning by a language model (--planner llm)", "install the package libcurl4"};
 }
 
 // Whether a model could be asked; the key itself is never shown, and nothing is sent.
-Finding examine_model() {
+DoctorFinding examine_model() {
   const auto endpoint = chat::find_endpoint();
   const std::string costs = "planning by a language model (--planner llm)";
   if (!endpoint) return {"language model", false, false, endpoint.error().message, costs, endpoint.error().hint};
@@ -64,7 +64,7 @@ Finding examine_model() {
   return {"language model", true, false, detail, "", ""};
 }
 
-Finding examine_cairo() {
+DoctorFinding examine_cairo() {
   const auto cairo = describe_cairo();
   if (!cairo) return {"Cairo", false, true, cairo.error().message, "floor plans as PDF and PNG; SVG needs it not", cairo.error().hint};
   return {"Cairo", true, true, *cairo, "", ""};
@@ -72,20 +72,20 @@ Finding examine_cairo() {
 
 int run_doctor(const Console& console) {
   const Catalog& catalog = Catalog::builtin();
-  const Finding findings[] = {{"layoutbox", true, true,
-                               fmt::format("version {}, {} kinds of furniture, {} kinds of room", program_version(),
-                                           catalog.entries().size(), catalog.rooms().size()),
-                               "", ""},
-                              examine_solver(),
-                              examine_blender(),
-                              examine_cairo(),
-                              examine_sandbox(),
-                              examine_http(),
-                              examine_model()};
+  const DoctorFinding findings[] = {{"layoutbox", true, true,
+                                     fmt::format("version {}, {} kinds of furniture, {} kinds of room", program_version(),
+                                                 catalog.entries().size(), catalog.rooms().size()),
+                                     "", ""},
+                                    examine_solver(),
+                                    examine_blender(),
+                                    examine_cairo(),
+                                    examine_sandbox(),
+                                    examine_http(),
+                                    examine_model()};
   std::string text;
   Json json = Json::array();
   bool all_there = true;
-  for (const Finding& finding : findings) {
+  for (const DoctorFinding& finding : findings) {
     all_there = all_there && (finding.there || !finding.needed);
     text += fmt::format("{} {}: {}\n", finding.there ? "ok     " : finding.needed ? "MISSING" : "not set", finding.what, finding.detail);
     if (!finding.there) text += fmt::format("        without it: no {}\n        to get it: {}\n", finding.costs, finding.remedy);

@@ -17,21 +17,21 @@ namespace layoutbox {
 namespace dressing {
 namespace {
 
-constexpr std::pair<std::string_view, Place> kPlaces[] = {{"kitchen run", fill_kitchen_run},
-                                                          {"over stove", hang_over_stove},
-                                                          {"over run", hang_over_run},
-                                                          {"window", hang_at_windows},
-                                                          {"window top", hang_on_window_tops},
-                                                          {"over", hang_over_things},
-                                                          {"wall", hang_on_walls},
-                                                          {"corner", stand_in_corners},
-                                                          {"beside", stand_beside},
-                                                          {"free wall", stand_at_free_wall},
-                                                          {"under", lie_under},
-                                                          {"before", lie_before},
-                                                          {"on", stand_on},
-                                                          {"at seats", lay_before_seats},
-                                                          {"ceiling", hang_from_ceiling}};
+constexpr std::pair<std::string_view, PlaceFiller> kPlaces[] = {{"kitchen run", fill_kitchen_run},
+                                                                {"over stove", hang_over_stove},
+                                                                {"over run", hang_over_run},
+                                                                {"window", hang_at_windows},
+                                                                {"window top", hang_on_window_tops},
+                                                                {"over", hang_over_things},
+                                                                {"wall", hang_on_walls},
+                                                                {"corner", stand_in_corners},
+                                                                {"beside", stand_beside},
+                                                                {"free wall", stand_at_free_wall},
+                                                                {"under", lie_under},
+                                                                {"before", lie_before},
+                                                                {"on", stand_on},
+                                                                {"at seats", lay_before_seats},
+                                                                {"ceiling", hang_from_ceiling}};
 
 double m2_of(const Room& room) { return double(doubled_area(room.polygon)) / 2e6; }
 
@@ -57,7 +57,7 @@ bool is_wanted(const Dresser& dresser, const Dressing& row) {
 // What verify() found wrong, and how good what it measures is: by check and subject.
 using Findings = std::map<std::pair<std::string, std::string>, double>;
 
-struct Verdict {
+struct DressVerdict {
   Findings failed, shares;
 };
 
@@ -70,8 +70,8 @@ double share_needed(const Layout& layout, const Catalog& catalog, const std::str
   return entry.is(Trait::kKitchenRun) && entry.is(Trait::kCounter) ? kOfWorktop : 1;
 }
 
-Verdict judge(const Layout& layout, const Catalog& catalog) {
-  Verdict verdict;
+DressVerdict judge(const Layout& layout, const Catalog& catalog) {
+  DressVerdict verdict;
   for (const Check& check : verify(layout, catalog).checks) {
     const bool enough = check.name == "accessibility" && check.value >= share_needed(layout, catalog, check.subject);
     if (!check.passed && !enough) verdict.failed[{check.name, check.subject}] = check.value;
@@ -81,7 +81,7 @@ Verdict judge(const Layout& layout, const Catalog& catalog) {
 }
 
 // Of what is worse than before the subjects, each as verify names it: "desk_1", "sofa_1 / plant_1", "room".
-std::vector<std::string> worse(const Verdict& before, const Verdict& now) {
+std::vector<std::string> worse(const DressVerdict& before, const DressVerdict& now) {
   std::vector<std::string> subjects;
   for (const auto& [what, value] : now.failed) {
     if (!before.failed.contains(what)) subjects.push_back(what.second);
@@ -119,7 +119,7 @@ std::string to_blame(const Dresser& dresser, const std::string& subject) {
 }
 
 // Takes out again what makes the room worse, one after the other.
-void mend(Dresser& dresser, const Verdict& before) {
+void mend(Dresser& dresser, const DressVerdict& before) {
   while (!dresser.added().empty()) {
     const std::vector<std::string> subjects = worse(before, judge(dresser.layout(), dresser.catalog()));
     if (subjects.empty()) return;
@@ -167,8 +167,8 @@ void add_to_scene(SceneGraph& scene, const Layout& layout, const std::vector<std
 
 }  // namespace
 
-Place find_place(std::string_view name) {
-  const auto found = std::ranges::find(kPlaces, name, &std::pair<std::string_view, Place>::first);
+PlaceFiller find_place(std::string_view name) {
+  const auto found = std::ranges::find(kPlaces, name, &std::pair<std::string_view, PlaceFiller>::first);
   return found == std::end(kPlaces) ? nullptr : found->second;
 }
 
@@ -180,7 +180,7 @@ std::size_t dress(SceneGraph& scene, Layout& layout, const Catalog& catalog, con
   if (catalog.only_articles() || spoken.wants_no_more(groups) || spoken.says_any(groups.none_to_fill)) return 0;
   const std::size_t moved = show_what_hides(layout, catalog, spoken);
   Dresser dresser(layout, catalog, spoken);
-  std::optional<Verdict> before;
+  std::optional<DressVerdict> before;
   for (const Dressing& row : Dressings::builtin().rows) {
     if (!is_wanted(dresser, row)) continue;
     if (!before) before = judge(layout, catalog);

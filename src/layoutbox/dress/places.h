@@ -8,7 +8,7 @@
 
 namespace layoutbox::dressing {
 
-using Place = void (*)(Dresser&, const Dressing&);
+using PlaceFiller = void (*)(Dresser&, const Dressing&);
 
 // "kitchen run": the free wall between the units of a kitchen and on from them, round the corner where there is room.
 void fill_kitchen_run(Dresser& dresser, const Dressing& row);
@@ -42,6 +42,6 @@ void lay_before_seats(Dresser& dresser, const Dressing& row);
 void hang_from_ceiling(Dresser& dresser, const Dressing& row);
 
 // Null: there is no such place.
-Place find_place(std::string_view name);
+PlaceFiller find_place(std::string_view name);
 
 }  // namespace layoutbox::dressing

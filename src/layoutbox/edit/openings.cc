@@ -12,17 +12,17 @@ namespace {
 
 constexpr Mm kLeastOpening = 200, kFromCorner = 100, kBetween = 100, kLittleShift = 300, kBeforeWindow = 300, kFlat = 30;
 
-struct Along {
+struct WallDirection {
   double dx = 1, dy = 0, length = 1;
 };
-Along along(const Wall& wall) {
+WallDirection along(const Wall& wall) {
   const double dx = wall.end.x - wall.start.x, dy = wall.end.y - wall.start.y, length = std::max(std::hypot(dx, dy), 1.0);
   return {dx / length, dy / length, length};
 }
 
 // The offset at which the opening's centre is nearest to a point.
 Mm offset_near(const Wall& wall, const Opening& opening, const std::array<double, 2>& point) {
-  const Along way = along(wall);
+  const WallDirection way = along(wall);
   const double at = (point[0] - wall.start.x) * way.dx + (point[1] - wall.start.y) * way.dy;
   return static_cast<Mm>(std::lround((at - opening.width / 2.0) / kGridMm) * kGridMm);
 }
@@ -50,7 +50,7 @@ std::optional<Mm> EditStepper::free_offset(const Opening& opening, const Wall& w
 // Where the opening is least in the way of what stands there, as near to the wall's middle as can be. Empty where something would have to
 // make room for a door: the solver chooses.
 std::optional<Mm> EditStepper::offset_least_in_the_way(const Opening& opening, const Wall& wall) const {
-  const Along way = along(wall);
+  const WallDirection way = along(wall);
   const bool window = opening.type == OpeningType::kWindow;
   const double deep = window ? kBeforeWindow : opening.width;
   const auto covered = [&](const PlacedObject& placed, Mm offset) {  // how much of the opening stands behind the thing
@@ -127,7 +127,7 @@ Result<double> EditStepper::way_along(const Opening& opening, const Wall& wall, 
   const double distance = shift.distance ? *shift.distance : kLittleShift;
   // Left and right are those of somebody who looks at the wall from within, to whom it runs from right to left; save that on the front
   // wall they are the room's own.
-  const Along way = along(wall);
+  const WallDirection way = along(wall);
   const bool upright = std::abs(way.dy) > std::abs(way.dx);
   double step = 0;  // along the wall, from its start to its end
   if (shift.way == Way::kTowards || shift.way == Way::kAway) {
@@ -189,7 +189,7 @@ Status EditStepper::swap_openings(const std::string& a, const std::string& b) {
     const Wall* wall = scene_.find_wall(o.wall);
     EditOpeningPlace place{o.wall, std::nullopt};
     if (wall == nullptr || !o.offset) return place;
-    const Along way = along(*wall);
+    const WallDirection way = along(*wall);
     const double middle = *o.offset + o.width / 2.0;
     place.near = {wall->start.x + way.dx * middle, wall->start.y + way.dy * middle};
     return place;

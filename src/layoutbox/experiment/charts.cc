@@ -11,13 +11,13 @@ namespace {
 
 constexpr double kNames = 150, kColumn = 118, kPlot = 96, kRow = 24, kHead = 30;  // px
 
-struct Column {
+struct ChartColumn {
   std::string name;
   bool more_is_better;
 };
 
-std::vector<Column> columns() {
-  std::vector<Column> all{{"everything", true}};
+std::vector<ChartColumn> columns() {
+  std::vector<ChartColumn> all{{"everything", true}};
   for (const MeasureRow& row : measure_rows()) {
     if (row.name != "CF" && row.name != "IB") all.push_back({std::string(row.name), row.more_is_better});  // 1 − COL and 1 − OOB
   }
@@ -37,7 +37,7 @@ std::string dot(const vlm::Estimate& share, double x, double y, bool more_is_bet
 }  // namespace
 
 std::string shares_chart(const std::vector<std::pair<std::string, Records>>& groups) {
-  const std::vector<Column> all = columns();
+  const std::vector<ChartColumn> all = columns();
   const double width = kNames + kColumn * static_cast<double>(all.size()), height = kHead + kRow * static_cast<double>(groups.size()) + 18;
   std::string svg = fmt::format("<svg class=chart viewBox=\"0 0 {:.0f} {:.0f}\" role=img aria-label=\"Shares by method\">", width, height);
   for (std::size_t c = 0; c < all.size(); ++c) {

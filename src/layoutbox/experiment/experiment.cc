@@ -26,7 +26,7 @@ struct Contender {
   ModelAtHand model;
 };
 
-struct Task {
+struct ExperimentTask {
   const scoring::Annotation* scene;
   const Contender* contender;
   int repeat;
@@ -38,7 +38,7 @@ std::string safe_name(const std::string& id) {
   return name.empty() || name[0] == '.' ? "_" + name : name;
 }
 
-void judge_record(RunRecord& record, const Task& task, std::optional<Layout> layout, const Catalog& catalog) {
+void judge_record(RunRecord& record, const ExperimentTask& task, std::optional<Layout> layout, const Catalog& catalog) {
   Asked asked;
   asked.annotation = *task.scene;
   if (!layout) {
@@ -55,9 +55,9 @@ void judge_record(RunRecord& record, const Task& task, std::optional<Layout> lay
   }
 }
 
-class Run {
+class ExperimentRun {
  public:
-  Run(const Suite& suite, const Catalog& catalog, fs::path folder, const ExperimentOptions& options)
+  ExperimentRun(const Suite& suite, const Catalog& catalog, fs::path folder, const ExperimentOptions& options)
       : suite_(suite),
         catalog_(catalog),
         folder_(std::move(folder)),
@@ -125,7 +125,7 @@ class Run {
   }
 
   // False where there is none, or its room is gone.
-  Result<bool> take_earlier(const Task& task, RunRecord& record) {
+  Result<bool> take_earlier(const ExperimentTask& task, RunRecord& record) {
     const auto found = earlier_.find(record.key());
     if (found == earlier_.end()) return false;
     read_line(found->second, record);
@@ -171,7 +171,7 @@ class Run {
     if (stopped()) give_up({ErrorCode::kInterrupted, "stopped; what is done is kept", {}, "run the same command again to go on", {}});
   }
 
-  Status make(const Task& task, RunRecord& record) {
+  Status make(const ExperimentTask& task, RunRecord& record) {
     const ModelAtHand& model = task.contender->model;
     MethodInput input{task.scene->prompt, static_cast<std::uint64_t>(task.repeat), model.planner, model.chat, options_.unsafe_scripts,
                       options_.generate};
@@ -230,7 +230,7 @@ class Run {
   fs::path folder_;
   const ExperimentOptions& options_;
   std::vector<Contender> contenders_;
-  std::vector<Task> tasks_;
+  std::vector<ExperimentTask> tasks_;
   std::map<std::string, nlohmann::json> earlier_;
   std::mutex mutex_;
   std::atomic<std::size_t> next_{0};
@@ -259,7 +259,7 @@ std::optional<double> RunRecord::rating() const {
 
 Result<ExperimentOutcome> run_experiment(const Suite& suite, const Catalog& catalog, const fs::path& folder,
                                          const ExperimentOptions& options) {
-  return Run(suite, catalog, folder, options).run();
+  return ExperimentRun(suite, catalog, folder, options).run();
 }
 
 }  // namespace layoutbox::experiment

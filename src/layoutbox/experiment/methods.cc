@@ -22,7 +22,7 @@
 namespace layoutbox::experiment {
 namespace {
 
-class Clock {
+class StageTimer {
  public:
   double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
 
@@ -36,7 +36,7 @@ struct Planned {
 };
 
 Result<Planned> plan_offline(const MethodInput& input, const Catalog& catalog) {
-  const Clock clock;
+  const StageTimer clock;
   const auto planner = make_offline_planner(catalog);
   LAYOUTBOX_ASSIGN(const Plan plan, planner->plan(input.prompt, input.options.plan));
   LAYOUTBOX_ASSIGN(SceneGraph scene, prepare_plan(plan, catalog, input.options));
@@ -47,7 +47,7 @@ Result<Planned> plan_offline(const MethodInput& input, const Catalog& catalog) {
 Result<MethodResult> plan_and_solve(MethodInput input, const Catalog& catalog) {
   LAYOUTBOX_ASSIGN(const Planned planned, plan_offline(input, catalog));
   input.options.solve.seed = input.seed;
-  const Clock clock;
+  const StageTimer clock;
   LAYOUTBOX_ASSIGN(Layout layout, solve(planned.scene, catalog, input.options.solve));
   MethodResult result{
       std::move(layout), {}, content_key(write_scene(planned.scene)), {{"plan", planned.seconds}, {"solve", clock.seconds()}}, {}};
@@ -124,7 +124,7 @@ Result<MethodResult> by_model(const MethodInput& input, const Catalog& catalog, 
   options.plan.seed = input.seed;
   change(options);
   LAYOUTBOX_ASSIGN(const TemporaryFolder folder, TemporaryFolder::make("experiment"));
-  const Clock clock;
+  const StageTimer clock;
   auto outcome = generate(input.prompt, *input.model, catalog, folder.path(), options);
   if (!outcome) return without_room(outcome.error(), folder.path(), clock.seconds());
   MethodResult result{std::move(outcome->layout), {}, content_key(write_scene(outcome->scene)), {}, std::move(outcome->model_requests)};
@@ -163,7 +163,7 @@ Result<MethodResult> by_numbers(const MethodInput& input, const Catalog& catalog
   if (input.model == nullptr) return no_model();
   PlanOptions options = input.options.plan;
   options.seed = input.seed;
-  const Clock clock;
+  const StageTimer clock;
   const std::unique_ptr<Planning> planning = input.model->begin(input.prompt, options, {});
   if (planning == nullptr) return no_model();
   std::optional<MethodResult> last;

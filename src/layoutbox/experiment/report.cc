@@ -51,7 +51,7 @@ std::string options_text(const ExperimentOptions& options) {
 
 std::string experiment_html(const Suite& suite, const ExperimentOutcome& outcome, const ExperimentOptions& options,
                             const std::filesystem::path& folder) {
-  const Groups groups = by_method(outcome);
+  const MethodGroups groups = by_method(outcome);
   PlanStyles styles;
   const std::string rooms = rooms_side_by_side(suite, outcome, folder, styles);
   std::string page = fmt::format(

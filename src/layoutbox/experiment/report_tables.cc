@@ -50,7 +50,7 @@ std::string claims_of_judge(const std::string& name, const Records& records) {
 
 }  // namespace
 
-std::string methods_table(const Groups& groups) {
+std::string methods_table(const MethodGroups& groups) {
   std::string head = "<tr><th>method</th><th class=n>rooms</th><th class=n>failed</th><th class=n>everything met</th>", rows;
   for (const MeasureRow& row : measure_rows()) head += fmt::format("<th class=n title=\"{}\">{}</th>", escaped_html(row.meaning), row.name);
   for (const auto& [name, records] : groups) {
@@ -64,7 +64,7 @@ std::string methods_table(const Groups& groups) {
   return "<div class=wide><table>" + head + "</tr>\n" + rows + "</table></div>\n";
 }
 
-std::string cost_table(const Groups& groups) {
+std::string cost_table(const MethodGroups& groups) {
   std::set<std::string> stages;
   for (const auto& [name, records] : groups) {
     for (const auto& [stage, seconds] : median_by_stage(records)) stages.insert(stage);
@@ -87,7 +87,7 @@ std::string cost_table(const Groups& groups) {
   return "<div class=wide><table>" + head + rows + "</table></div>\n";
 }
 
-std::string size_table(const Groups& groups) {
+std::string size_table(const MethodGroups& groups) {
   std::string rows;
   for (const auto& [name, records] : groups) {
     rows += "<tr><th>" + escaped_html(name) + "</th>";
@@ -104,7 +104,7 @@ std::string size_table(const Groups& groups) {
 }
 
 // A column for each failure that any method has.
-std::string failures_table(const Groups& groups) {
+std::string failures_table(const MethodGroups& groups) {
   std::map<std::string, int> all;
   for (const auto& [name, records] : groups) all.merge(failures_of(records));
   if (all.empty()) return "<p>No room is impossible.</p>\n";
@@ -119,7 +119,7 @@ std::string failures_table(const Groups& groups) {
   return "<table>" + head + "</tr>\n" + rows + "</table>\n";
 }
 
-std::string four_table(const Groups& groups) {
+std::string four_table(const MethodGroups& groups) {
   std::set<std::string> judges;
   std::string rows;
   for (const auto& [name, records] : groups) {
@@ -142,7 +142,7 @@ std::string four_table(const Groups& groups) {
          rows + "</table></div>\n";
 }
 
-std::string claims_table(const Groups& groups) {
+std::string claims_table(const MethodGroups& groups) {
   std::string rows;
   for (const auto& [name, records] : groups) {
     const Sameness same = same_structure(records);
@@ -160,7 +160,7 @@ std::string claims_table(const Groups& groups) {
                       : "<table><tr><th>claim</th><th>method</th><th class=n>measured</th></tr>\n" + rows + "</table>\n";
 }
 
-std::string ratings_part(const Groups& groups, const std::vector<Rating>& ratings, std::size_t unknown) {
+std::string ratings_part(const MethodGroups& groups, const std::vector<Rating>& ratings, std::size_t unknown) {
   if (ratings.empty()) return {};
   std::set<std::string> raters;
   for (const Rating& rating : ratings) raters.insert(rating.rater);

@@ -50,17 +50,17 @@ std::string picture_of(const RunRecord& record, const std::filesystem::path& fol
 }
 
 // A room, and the methods that made it just so.
-struct Cell {
+struct RoomCell {
   const RunRecord* record;
   std::string methods, plan;
 };
 
-std::vector<Cell> cells_of(const scoring::Annotation& scene, const ExperimentOutcome& outcome, PlanStyles& styles) {
-  std::vector<Cell> cells;
+std::vector<RoomCell> cells_of(const scoring::Annotation& scene, const ExperimentOutcome& outcome, PlanStyles& styles) {
+  std::vector<RoomCell> cells;
   for (const RunRecord& record : outcome.records) {
     if (record.scene != scene.id || record.repeat != 1) continue;
     const std::string plan = record.judgement.error.empty() ? styles.shared(judged_plan(record.judgement, false)) : std::string();
-    const auto same = std::find_if(cells.begin(), cells.end(), [&](const Cell& cell) {
+    const auto same = std::find_if(cells.begin(), cells.end(), [&](const RoomCell& cell) {
       return !plan.empty() && cell.plan == plan && cell.record->judgement.everything == record.judgement.everything;
     });
     if (same == cells.end()) {
@@ -113,7 +113,7 @@ std::string rooms_side_by_side(const Suite& suite, const ExperimentOutcome& outc
   std::string text;
   for (const scoring::Annotation& scene : suite.scenes) {
     text += fmt::format("<h3>{}</h3>\n<p>{}</p>\n<div class=rooms>\n", escaped_html(scene.id), escaped_html(scene.prompt));
-    for (const Cell& cell : cells_of(scene, outcome, styles)) {
+    for (const RoomCell& cell : cells_of(scene, outcome, styles)) {
       const Judgement& judgement = cell.record->judgement;
       text += fmt::format("<div><b>{}</b> <span class={}>{}</span>{}{}{}{}</div>\n", cell.methods, judgement.everything ? "good" : "bad",
                           judgement.everything               ? "everything met"

@@ -22,13 +22,13 @@ Vec3f inward_of(const Node& wall) {
   return {static_cast<float>(c * x + s * y), static_cast<float>(c * y - s * x), 0};
 }
 
-struct Reach {
+struct FaceReach {
   float least = std::numeric_limits<float>::max(), most = std::numeric_limits<float>::lowest();
 };
 
 // How far a wall reaches along itself and upwards: what looks outwards there is no reveal.
 struct WallReach {
-  Reach along, up;
+  FaceReach along, up;
   Vec3f direction;
 
   WallReach(const Mesh& mesh, const Vec3f& inward) : direction{inward[1], -inward[0], 0} {
@@ -41,7 +41,7 @@ struct WallReach {
   }
 
   bool is_at_end(const Vec3f& p, bool upright) const {
-    const Reach& reach = upright ? up : along;
+    const FaceReach& reach = upright ? up : along;
     const float value = upright ? p[2] : dot(p, direction);
     return value < reach.least + kNear || value > reach.most - kNear;
   }

@@ -37,14 +37,14 @@ Node node(std::string id, NodeKind kind, std::vector<Part> parts) {
   return out;
 }
 
-struct Room2 {
+struct GltfRoom {
   Model model;
   Layout layout;
 };
 
 // Two equal chairs, the second turned, with a lamp; a ceiling.
-Room2 small_room() {
-  Room2 out;
+GltfRoom small_room() {
+  GltfRoom out;
   out.model.surfaces = {surface("plain"), surface("oak", "wood")};
   out.model.nodes = {node("chair_1", NodeKind::kObject, {{square(0.5f, 1), 1}}), node("chair_2", NodeKind::kObject, {{square(0.5f, 1), 1}}),
                      node("ceiling", NodeKind::kCeiling, {{square(2.5f, -1), 0}, {square(2.6f, 1), 0}})};
@@ -80,7 +80,7 @@ struct Glb {
   json document;
 };
 
-Glb write(const Room2& room) {
+Glb write(const GltfRoom& room) {
   Glb out;
   out.bytes = write_glb(room.model, room.layout).value();
   out.document = json::parse(out.bytes.substr(20, u32(out.bytes, 12)));
@@ -110,7 +110,7 @@ TEST(Gltf, TurnsTheRoomSoThatYIsUp) {
 }
 
 TEST(Gltf, WallsKeepTheFacesThatLookIntoTheRoom) {
-  Room2 room = small_room();
+  GltfRoom room = small_room();
   const auto face = [](float side) {
     return Mesh{{{0, 0, 0}, {1, 0, 0}, {1, 0, 1}}, {{0, side, 0}, {0, side, 0}, {0, side, 0}}, {{0, 0}, {1, 0}, {1, 1}}, {0, 1, 2}};
   };
@@ -193,7 +193,7 @@ TEST(Gltf, WritesLampsAsPunctualLights) {
 TEST(Gltf, IsTheSameEveryTime) { EXPECT_EQ(write(small_room()).bytes, write(small_room()).bytes); }
 
 TEST(Gltf, SaysSoWhereTextIsNoText) {
-  Room2 room = small_room();
+  GltfRoom room = small_room();
   room.layout.objects[0].name = "\xff\xfe";
   const auto glb = write_glb(room.model, room.layout);
   EXPECT_TRUE(glb || glb.error().code == ErrorCode::kInternal);

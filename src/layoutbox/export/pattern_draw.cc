@@ -76,14 +76,14 @@ struct Tone {
 };
 
 // A point of one repeat: u and v in [0, 1), and the pattern's two noises there.
-struct Place {
+struct PatternPlace {
   double u = 0, v = 0, fine = 0, coarse = 0;
   double fine_turned = 0;  // of the point with u and v exchanged
 };
 
 double grain(double noise) { return step(0.42, 0.75, noise); }
 
-Tone wood(const Place& p) { return {0.7 * grain(p.fine), 0}; }
+Tone wood(const PatternPlace& p) { return {0.7 * grain(p.fine), 0}; }
 
 // A board or block with its own shade, and the joint round it.
 Tone board(bool joint, double noise, int column, int row, std::uint32_t seed) {
@@ -91,7 +91,7 @@ Tone board(bool joint, double noise, int column, int row, std::uint32_t seed) {
   return {0.45 * grain(noise) + 0.3 * random(column, row, seed), 0.5 * random(column, row, seed + 2)};
 }
 
-Tone planks(const Place& p) {
+Tone planks(const PatternPlace& p) {
   const double y = p.v * 8;
   const int row = static_cast<int>(y);
   const double x = p.u + std::fmod(row * 0.37, 1.0), fx = x - std::floor(x), fy = y - row;
@@ -99,7 +99,7 @@ Tone planks(const Place& p) {
 }
 
 // Herringbone of blocks 5 by 1 cells; one repeat is 10 by 10 cells.
-Tone parquet(const Place& p) {
+Tone parquet(const PatternPlace& p) {
   const double x = p.u * 10, y = p.v * 10;
   const int i = static_cast<int>(x), j = static_cast<int>(y), k = wrapped(i - j, 10);
   const bool lies = k < 5;
@@ -109,15 +109,15 @@ Tone parquet(const Place& p) {
   return board(joint, lies ? p.fine : p.fine_turned, block_x, block_y, lies ? 3 : 4);
 }
 
-Tone tiles(const Place& p) {
+Tone tiles(const PatternPlace& p) {
   const double x = p.u * 2, y = p.v * 2, fx = x - std::floor(x), fy = y - std::floor(y);
   if (std::min({fx, 1 - fx, fy, 1 - fy}) < 1.0 / 90) return {1, 0};
   return {0.08 * random(static_cast<int>(x), static_cast<int>(y), 3), 0};
 }
 
-Tone checker(const Place& p) { return {(p.u < 0.5) == (p.v < 0.5) ? 0.0 : 1.0, 0}; }
+Tone checker(const PatternPlace& p) { return {(p.u < 0.5) == (p.v < 0.5) ? 0.0 : 1.0, 0}; }
 
-Tone bricks(const Place& p) {
+Tone bricks(const PatternPlace& p) {
   const double y = p.v * 6;
   const int row = static_cast<int>(y);
   const double x = p.u * 2 + 0.5 * (row % 2), fx = x - std::floor(x), fy = y - row;
@@ -126,7 +126,7 @@ Tone bricks(const Place& p) {
 }
 
 // Mats 1 by 1/2; one repeat is two of them.
-Tone tatami(const Place& p) {
+Tone tatami(const PatternPlace& p) {
   const double y = p.v * 2;
   const int row = static_cast<int>(y);
   const double x = p.u + 0.5 * row, fx = x - std::floor(x), fy = y - row;
@@ -136,7 +136,7 @@ Tone tatami(const Place& p) {
 }
 
 // Slabs 1 by 0.6; one repeat is two rows of one.
-Tone flags(const Place& p) {
+Tone flags(const PatternPlace& p) {
   const double y = p.v * 2;
   const int row = static_cast<int>(y);
   const double x = p.u + 0.5 * row, fx = x - std::floor(x), fy = y - row;
@@ -145,7 +145,7 @@ Tone flags(const Place& p) {
 }
 
 // Blossoms of five petals, in every second row between those of the first.
-Tone flowers(const Place& p) {
+Tone flowers(const PatternPlace& p) {
   const double y = p.v * 2;
   const int row = static_cast<int>(y);
   const double x = p.u * 2 + 0.5 * row, dx = x - std::floor(x) - 0.5, dy = y - row - 0.5;
@@ -154,12 +154,12 @@ Tone flowers(const Place& p) {
   return {1 - step(petals - 0.03, petals, r), 0};
 }
 
-Tone marble(const Place& p) {
+Tone marble(const PatternPlace& p) {
   const double vein = std::abs(std::sin(kPi * (2 * (p.u + p.v) + 3.0 * p.coarse)));
   return {std::max(0.8 * (1 - step(0.0, 0.16, vein)), 0.3 * step(0.45, 0.8, p.fine)), 0};
 }
 
-Tone terrazzo(const Place& p) {
+Tone terrazzo(const PatternPlace& p) {
   constexpr int kCells = 12;
   const double x = p.u * kCells, y = p.v * kCells;
   double nearest = 9;
@@ -178,26 +178,26 @@ Tone terrazzo(const Place& p) {
   return nearest < 0.33 ? Tone{1, chip % 4 == 0 ? 1.0 : 0.0} : Tone{};
 }
 
-Tone concrete(const Place& p) { return {step(0.3, 0.7, p.fine), 0}; }
-Tone plaster(const Place& p) { return {0.1 * step(0.3, 0.7, p.fine), 0}; }
+Tone concrete(const PatternPlace& p) { return {step(0.3, 0.7, p.fine), 0}; }
+Tone plaster(const PatternPlace& p) { return {0.1 * step(0.3, 0.7, p.fine), 0}; }
 
-Tone fabric(const Place& p) {
+Tone fabric(const PatternPlace& p) {
   const double weave = 0.5 + 0.5 * std::sin(2 * kPi * 32 * p.u) * std::sin(2 * kPi * 32 * p.v);
   return {0.35 * weave + 0.4 * step(0.3, 0.7, p.fine), 0};
 }
 
-Tone carpet(const Place& p) { return {step(0.25, 0.75, p.fine), 0.3 * p.coarse}; }
-Tone leather(const Place& p) { return {0.7 * step(0.45, 0.75, p.fine), 0.3 * p.coarse}; }
+Tone carpet(const PatternPlace& p) { return {step(0.25, 0.75, p.fine), 0.3 * p.coarse}; }
+Tone leather(const PatternPlace& p) { return {0.7 * step(0.45, 0.75, p.fine), 0.3 * p.coarse}; }
 
-Tone wicker(const Place& p) {
+Tone wicker(const PatternPlace& p) {
   const double x = p.u * 8, y = p.v * 8, fx = x - std::floor(x), fy = y - std::floor(y);
   const bool over = (static_cast<int>(x) + static_cast<int>(y)) % 2 == 0;
   const double across = over ? fy : fx;
   return {1 - step(0.0, 0.25, std::min(across, 1 - across)), over ? 0.0 : 0.3};
 }
 
-Tone stripes(const Place& p) { return {p.u < 0.5 ? 0.0 : 1.0, 0}; }
-Tone brushed(const Place& p) { return {0.6 * p.fine, 0}; }
+Tone stripes(const PatternPlace& p) { return {p.u < 0.5 ? 0.0 : 1.0, 0}; }
+Tone brushed(const PatternPlace& p) { return {0.6 * p.fine, 0}; }
 
 // Cells along u and v, and octaves; none where octaves is 0.
 struct NoiseSpec {
@@ -205,7 +205,7 @@ struct NoiseSpec {
 };
 
 struct Pattern {
-  Tone (*tone)(const Place&);
+  Tone (*tone)(const PatternPlace&);
   int pixels;        // edge of one repeat
   PatternSize size;  // of one repeat, in units of the surface's scale
   NoiseSpec fine = {}, coarse = {};

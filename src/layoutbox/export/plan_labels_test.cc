@@ -60,14 +60,14 @@ Layout laid_table() {
   return layout;
 }
 
-struct Text {
+struct DrawnText {
   std::string words;
   double x0, y0, x1, y1;
 };
 
-std::vector<Text> texts_of(const std::string& svg) {
+std::vector<DrawnText> texts_of(const std::string& svg) {
   static const std::regex text(R"re(<text x="([0-9.-]+)" y="([0-9.-]+)" font-size="([0-9.]+)" text-anchor="([a-z]+)"([^>]*)>([^<]*)<)re");
-  std::vector<Text> out;
+  std::vector<DrawnText> out;
   for (std::sregex_iterator it(svg.begin(), svg.end(), text), end; it != end; ++it) {
     const std::smatch& m = *it;
     const double x = std::stod(m[1]), y = std::stod(m[2]), size = std::stod(m[3]), width = text_width(m[6].str(), size);
@@ -94,7 +94,7 @@ std::vector<std::array<double, 4>> leaders_of(const std::string& svg) {
 
 TEST(PlanLabels, NoTwoTextsOverlapAndNoLineCrossesOne) {
   const std::string svg = write_floor_plan_svg(laid_table(), Catalog::builtin());
-  const std::vector<Text> texts = texts_of(svg);
+  const std::vector<DrawnText> texts = texts_of(svg);
   ASSERT_GT(texts.size(), 25U);
   for (std::size_t i = 0; i < texts.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
@@ -109,7 +109,8 @@ TEST(PlanLabels, NoTwoTextsOverlapAndNoLineCrossesOne) {
     EXPECT_LT(std::hypot(xb - xa, yb - ya), 12) << "numbers are close to what they name";
     for (int i = 0; i <= 20; ++i) {
       const double x = xa + (xb - xa) * i / 20, y = ya + (yb - ya) * i / 20;
-      for (const Text& text : texts) EXPECT_FALSE(x > text.x0 && x < text.x1 && y > text.y0 && y < text.y1) << "through " << text.words;
+      for (const DrawnText& text : texts)
+        EXPECT_FALSE(x > text.x0 && x < text.x1 && y > text.y0 && y < text.y1) << "through " << text.words;
     }
   }
 }

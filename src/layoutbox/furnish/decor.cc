@@ -27,7 +27,7 @@ const auto& one_of(const List& list, std::uint64_t number) {
 
 Color color_of(const Json& json) { return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()}; }
 
-struct Style {
+struct RoomStyle {
   std::string name;
   const Json* data = nullptr;
 };
@@ -60,7 +60,7 @@ bool says_word(std::string_view text, std::string_view phrase) {
 }
 
 // "make it dark": where no style is named, what the room is to feel like.
-Style mood_of(std::string_view text) {
+RoomStyle mood_of(std::string_view text) {
   const std::string lower = lower_case(text) + ".";  // phrases may end a sentence
   for (const auto& [name, mood] : decor_data().at("moods").items()) {
     const bool said = std::ranges::any_of(mood.at("says"),
@@ -71,7 +71,7 @@ Style mood_of(std::string_view text) {
 }
 
 // The style that a text names first; without data where it names none.
-Style style_of(std::string_view text) {
+RoomStyle style_of(std::string_view text) {
   std::string word;
   for (std::size_t i = 0; i <= text.size(); ++i) {
     const char c = i < text.size() ? static_cast<char>(std::tolower(static_cast<unsigned char>(text[i]))) : ' ';

@@ -15,12 +15,12 @@ constexpr double kPi = 3.14159265358979323846;
 
 const Box kBox{{-0.4, -0.3, 0.1}, {0.6, 0.5, 0.7}};
 
-struct Solid {
+struct NamedSolid {
   const char* name;
   Mesh mesh;
 };
 
-std::vector<Solid> solids() {
+std::vector<NamedSolid> solids() {
   return {{"box", box(kBox, 0.01)},
           {"sharp box", box(kBox, 0)},
           {"thin box", box({{0, 0, 0}, {1, 1, 0.002}}, 0.01)},
@@ -49,7 +49,7 @@ std::vector<Solid> solids() {
 }
 
 TEST(Kit, EverySolidIsClosedAndFacesOutwards) {
-  for (const Solid& solid : solids()) {
+  for (const NamedSolid& solid : solids()) {
     EXPECT_EQ(mesh_checks::open_edges(solid.mesh), 0) << solid.name;
     EXPECT_GT(mesh_checks::volume(solid.mesh), 0) << solid.name;
     EXPECT_EQ(solid.mesh.positions.size(), solid.mesh.normals.size()) << solid.name;
@@ -58,7 +58,7 @@ TEST(Kit, EverySolidIsClosedAndFacesOutwards) {
 }
 
 TEST(Kit, NormalsHaveUnitLength) {
-  for (const Solid& solid : solids()) {
+  for (const NamedSolid& solid : solids()) {
     for (const Vec3f& n : solid.mesh.normals) {
       EXPECT_NEAR(std::hypot(static_cast<double>(n[0]), static_cast<double>(n[1]), static_cast<double>(n[2])), 1, 1e-4) << solid.name;
     }

@@ -38,7 +38,7 @@ std::string phrase(std::span<const std::string> words) { return fmt::format("{}"
 
 Color color_of(const Json& json) { return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()}; }
 
-struct Modifier {
+struct ColorModifier {
   Color color;
   double share = 0;
   std::optional<Color> alone;  // "a pale sofa": where it is said of no colour
@@ -49,7 +49,7 @@ struct Tables {
   std::vector<NamedSurface> surfaces;
   std::map<std::string, std::size_t, std::less<>> by_name, by_phrase;
   std::map<std::string, Color, std::less<>> colors;
-  std::map<std::string, Modifier, std::less<>> modifiers;
+  std::map<std::string, ColorModifier, std::less<>> modifiers;
   std::set<std::string, std::less<>> look_words;
 };
 
@@ -84,8 +84,9 @@ Tables read_tables() {
   }
   for (const auto& [words, color] : colors.at("colors").items()) tables.colors.emplace(phrase(words_of(words)), color_of(color));
   for (const auto& [word, modifier] : colors.at("modifiers").items()) {
-    tables.modifiers.emplace(word, Modifier{color_of(modifier.at("color")), modifier.at("share").get<double>(),
-                                            modifier.contains("alone") ? std::optional(color_of(modifier.at("alone"))) : std::nullopt});
+    tables.modifiers.emplace(word,
+                             ColorModifier{color_of(modifier.at("color")), modifier.at("share").get<double>(),
+                                           modifier.contains("alone") ? std::optional(color_of(modifier.at("alone"))) : std::nullopt});
   }
   const auto note = [&](std::string_view said) {
     for (std::string& word : words_of(said)) tables.look_words.insert(std::move(word));
@@ -126,7 +127,7 @@ const NamedSurface* SurfaceWish::fitting(const NamedSurface& like) const {
 SurfaceWish read_wish(std::string_view text, std::span<const std::string> skip) {
   SurfaceWish wish;
   const std::vector<std::string> words = words_of(text);
-  std::optional<Modifier> modifier;
+  std::optional<ColorModifier> modifier;
   std::optional<Color> alone;
   for (std::size_t i = 0; i < words.size();) {
     if (std::find(skip.begin(), skip.end(), words[i]) != skip.end()) {

@@ -23,9 +23,9 @@ double srgb(double linear) {
   return c <= 0.0031308 ? c * 12.92 : 1.055 * std::pow(c, 1 / 2.4) - 0.055;
 }
 
-class Reader {
+class GltfReader {
  public:
-  explicit Reader(const AssetPlace& place) : place_(place) {}
+  explicit GltfReader(const AssetPlace& place) : place_(place) {}
 
   Result<MeshFile> read() {
     LAYOUTBOX_CHECK(load());
@@ -54,10 +54,10 @@ class Reader {
     loader.SetImageLoader(&keep_image, nullptr);
     // What the file names is read by us: from its own folder only.
     tinygltf::FsCallbacks files{};
-    files.FileExists = [](const std::string& path, void* self) { return static_cast<Reader*>(self)->path_of(path).has_value(); };
+    files.FileExists = [](const std::string& path, void* self) { return static_cast<GltfReader*>(self)->path_of(path).has_value(); };
     files.ExpandFilePath = [](const std::string& path, void*) { return path; };
     files.ReadWholeFile = [](std::vector<unsigned char>* out, std::string* error, const std::string& path, void* self) {
-      return static_cast<Reader*>(self)->read_named(*out, *error, path);
+      return static_cast<GltfReader*>(self)->read_named(*out, *error, path);
     };
     files.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&, void*) { return false; };
     files.user_data = this;
@@ -237,6 +237,6 @@ class Reader {
 
 }  // namespace
 
-Result<MeshFile> read_gltf(const AssetPlace& place) { return Reader(place).read(); }
+Result<MeshFile> read_gltf(const AssetPlace& place) { return GltfReader(place).read(); }
 
 }  // namespace layoutbox

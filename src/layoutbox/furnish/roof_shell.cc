@@ -36,12 +36,12 @@ std::vector<Slope> slopes_of(const Layout& layout, const Catalog& catalog) {
 }
 
 // A corner of a triangle.
-struct Corner {
+struct CutCorner {
   Vec3f at, normal;
   Vec2f uv;
 };
 
-Corner between(const Corner& a, const Corner& b, float share) {
+CutCorner between(const CutCorner& a, const CutCorner& b, float share) {
   const auto mix = [share](const auto& from, const auto& to) {
     auto mixed = from;
     for (std::size_t i = 0; i < mixed.size(); ++i) mixed[i] += share * (to[i] - from[i]);
@@ -50,16 +50,16 @@ Corner between(const Corner& a, const Corner& b, float share) {
   return {mix(a.at, b.at), a.normal, mix(a.uv, b.uv)};
 }
 
-float above(const Corner& corner, const RoofLine& line) {
+float above(const CutCorner& corner, const RoofLine& line) {
   const double slope = (line.high_z - line.low_z) / (line.high_x - line.low_x);
   return static_cast<float>(double{corner.at[2]} - line.low_z - slope * (double{corner.at[0]} - line.low_x));
 }
 
 // What of the triangle is below the line, as corners in its order.
-std::vector<Corner> below(const std::array<Corner, 3>& triangle, const RoofLine& line) {
-  std::vector<Corner> left;
+std::vector<CutCorner> below(const std::array<CutCorner, 3>& triangle, const RoofLine& line) {
+  std::vector<CutCorner> left;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Corner &a = triangle[i], &b = triangle[(i + 1) % 3];
+    const CutCorner &a = triangle[i], &b = triangle[(i + 1) % 3];
     const float over_a = above(a, line), over_b = above(b, line);
     if (over_a <= 0) left.push_back(a);
     if ((over_a < 0 && over_b > 0) || (over_a > 0 && over_b < 0)) left.push_back(between(a, b, over_a / (over_a - over_b)));
@@ -72,11 +72,11 @@ Mesh cut_under(const Mesh& mesh, const RoofLine& line) {
   for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
     const auto corner = [&](std::size_t i) {
       const std::uint32_t k = mesh.indices[t + i];
-      return Corner{mesh.positions[k], mesh.normals[k], mesh.uvs[k]};
+      return CutCorner{mesh.positions[k], mesh.normals[k], mesh.uvs[k]};
     };
-    const std::vector<Corner> left = below({corner(0), corner(1), corner(2)}, line);
+    const std::vector<CutCorner> left = below({corner(0), corner(1), corner(2)}, line);
     const auto first = static_cast<std::uint32_t>(cut.positions.size());
-    for (const Corner& c : left) cut.positions.push_back(c.at), cut.normals.push_back(c.normal), cut.uvs.push_back(c.uv);
+    for (const CutCorner& c : left) cut.positions.push_back(c.at), cut.normals.push_back(c.normal), cut.uvs.push_back(c.uv);
     for (std::uint32_t i = 2; i < left.size(); ++i) cut.indices.insert(cut.indices.end(), {first, first + i - 1, first + i});
   }
   return cut;

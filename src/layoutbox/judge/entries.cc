@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kMostGroups = 20'000;  // choices tried for one relation
 constexpr std::size_t kMostInWords = 4;
 
-struct Candidate {
+struct AnchorTrial {
   std::string anchor;
   std::vector<std::size_t> targets;
   Scored scored;
@@ -40,8 +40,8 @@ std::vector<std::vector<std::size_t>> choices(const std::vector<std::size_t>& po
   return all;
 }
 
-std::string in_words(std::vector<Candidate> tried, const MeasuredRoom& room) {
-  std::stable_sort(tried.begin(), tried.end(), [](const Candidate& a, const Candidate& b) { return a.scored.score > b.scored.score; });
+std::string in_words(std::vector<AnchorTrial> tried, const MeasuredRoom& room) {
+  std::stable_sort(tried.begin(), tried.end(), [](const AnchorTrial& a, const AnchorTrial& b) { return a.scored.score > b.scored.score; });
   std::string text;
   for (std::size_t i = 0; i < std::min(tried.size(), kMostInWords); ++i) {
     std::vector<std::string> names;
@@ -92,11 +92,11 @@ class EntryJudge {
       if (found(category).size() < count) lacking.push_back(fmt::format("{} ({} of {})", category, found(category).size(), count));
     }
     if (!lacking.empty()) return {entry.kind, entry.raw, false, fmt::format("not there: {}", fmt::join(lacking, ", "))};
-    const std::vector<Candidate> tried = candidates(entry, check);
+    const std::vector<AnchorTrial> tried = candidates(entry, check);
     int good = 0;
     std::set<std::vector<std::size_t>> groups;
     std::set<std::string> anchors;
-    for (const Candidate& candidate : tried) {
+    for (const AnchorTrial& candidate : tried) {
       if (candidate.scored.score <= kHolds) continue;
       ++good;
       groups.insert(candidate.targets);
@@ -113,7 +113,7 @@ class EntryJudge {
   }
 
   // Every choice of one anchor and the entry's targets, with its score.
-  std::vector<Candidate> candidates(const Entry& entry, std::string_view check) {
+  std::vector<AnchorTrial> candidates(const Entry& entry, std::string_view check) {
     std::vector<std::pair<std::string, std::size_t>> wanted;  // category, how many; in the entry's order
     for (const std::string& target : entry.targets) {
       const auto at = std::find_if(wanted.begin(), wanted.end(), [&](const auto& item) { return item.first == target; });
@@ -126,7 +126,7 @@ class EntryJudge {
     const bool ring = entry.targets.size() >= 3 && is_ring_word(entry.word);
     const bool both_ways =
         is_symmetric(check) && std::any_of(wanted.begin(), wanted.end(), [&](const auto& item) { return item.first == entry.anchor; });
-    std::vector<Candidate> result;
+    std::vector<AnchorTrial> result;
     for (const std::size_t anchor : found(entry.anchor)) {
       std::vector<std::vector<std::size_t>> groups{{}};
       for (const auto& [category, count] : wanted) {
@@ -152,9 +152,9 @@ class EntryJudge {
     return result;
   }
 
-  bool tried_the_other_way(const std::vector<Candidate>& tried, std::size_t anchor, const std::string&,
+  bool tried_the_other_way(const std::vector<AnchorTrial>& tried, std::size_t anchor, const std::string&,
                            const std::vector<std::size_t>& group) const {
-    return std::any_of(tried.begin(), tried.end(), [&](const Candidate& other) {
+    return std::any_of(tried.begin(), tried.end(), [&](const AnchorTrial& other) {
       const bool has_its_anchor =
           std::any_of(group.begin(), group.end(), [&](std::size_t i) { return room_.blocks[i].body->id() == other.anchor; });
       return has_its_anchor && std::find(other.targets.begin(), other.targets.end(), anchor) != other.targets.end();
@@ -188,7 +188,7 @@ class EntryJudge {
     if (rooms_.contains(entry.element) && rooms_.size() > 1 && !ends_in(type, phrase_of(entry.element))) {
       return {entry.kind, entry.raw, false, fmt::format("the room is \"{}\", not \"{}\"", room_.view.layout.room.type, entry.element)};
     }
-    std::vector<Candidate> tried;
+    std::vector<AnchorTrial> tried;
     int held = 0;
     for (const std::size_t i : boxes) {
       std::optional<Scored> scored = score_room(entry.word, entry.element, room_.blocks[i], room_);

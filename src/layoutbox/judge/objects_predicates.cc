@@ -18,24 +18,24 @@ constexpr double kMargin = 0.25;   // of a side, beyond which things are no long
 constexpr double kRests = 0.010;   // m
 constexpr double kHangGap = 0.02;  // m
 
-struct Pair {
+struct ObjectPair {
   const Block& target;
   const Block& reference;
   const MeasuredRoom& room;
 };
-using PairCheck = Scored (*)(const Pair&);
+using PairCheck = Scored (*)(const ObjectPair&);
 
 const std::string& category(const Block& block) {
   static const std::string none;
   return block.body ? block.body->object->category : none;
 }
 
-Scored distance_in(const Pair& p, double low, double high) {
+Scored distance_in(const ObjectPair& p, double low, double high) {
   const double gap = gap_between(p.target, p.reference);
   return {band(gap, low, high), fmt::format("distance {:.2f} m (band {:g} to {:g} m)", gap, low, high), {}};
 }
 
-Scored at_side(const Pair& p, Way way, std::string_view word) {
+Scored at_side(const ObjectPair& p, Way way, std::string_view word) {
   double share =
       std::max(side_share(p.target, p.reference, way, true, kMargin, false), beside_share(p.target, p.reference, way, p.reference.frame));
   const checks::Body* host = p.reference.body ? p.room.view.find_body(p.reference.body->object->supported_by) : nullptr;
@@ -43,7 +43,7 @@ Scored at_side(const Pair& p, Way way, std::string_view word) {
   return {share, fmt::format("{:.0f} % of it {} the other", share * 100, word), {}};
 }
 
-Scored in_half(const Pair& p, Way way) {
+Scored in_half(const ObjectPair& p, Way way) {
   const double share = half_share(p.target, p.reference, way, way != Way::kBottom);
   return {share, fmt::format("{:.0f} % of it in that half", share * 100), {}};
 }
@@ -60,7 +60,7 @@ bool rests_on(const Block& target, const Block& reference, const MeasuredRoom& r
   });
 }
 
-Scored on_top(const Pair& p) {
+Scored on_top(const ObjectPair& p) {
   const double above = side_share(p.target, p.reference, Way::kTop, false, 1e-9, true), inside = inside_share(p.target, p.reference);
   const double gap = gap_between(p.target, p.reference);
   if (is_hanger_like(category(p.reference)) && gap <= kHangGap && p.target.low() > 0.05) {
@@ -74,12 +74,12 @@ Scored on_top(const Pair& p) {
           {}};
 }
 
-Scored top_half(const Pair& p) {
+Scored top_half(const ObjectPair& p) {
   const double share = rests_on(p.target, p.reference, p.room) ? side_share(p.target, p.reference, Way::kTop, false, 0, true) : 0.0;
   return {share, fmt::format("{:.0f} % of it over the upper half", share * 100), {}};
 }
 
-Scored at_sides(const Pair& p, bool along_long) {
+Scored at_sides(const ObjectPair& p, bool along_long) {
   const double width = p.reference.half[0], depth = p.reference.half[1];
   if (std::abs(width - depth) <= 1e-5 * std::max(width, depth)) return {0, "the other is square: no long side", {}};
   const bool sideways = (width < depth) == along_long;
@@ -88,7 +88,7 @@ Scored at_sides(const Pair& p, bool along_long) {
   return {share, fmt::format("{:.0f} % of it at a {} side", share * 100, along_long ? "long" : "short"), {}};
 }
 
-Scored above_it(const Pair& p) {
+Scored above_it(const ObjectPair& p) {
   double share = side_share(p.target, p.reference, Way::kTop, true, kMargin, true);
   if (p.target.low() >= p.reference.high() - kRests) share = std::max(share, cover(p.target, p.reference, 0.1));
   return {share,
@@ -96,7 +96,7 @@ Scored above_it(const Pair& p) {
           {}};
 }
 
-Scored under_it(const Pair& p) {
+Scored under_it(const ObjectPair& p) {
   double share = std::max(side_share(p.target, p.reference, Way::kBottom, true, kMargin, true),
                           half_share(p.target, p.reference, Way::kBottom, false));
   if (p.target.middle() < p.reference.middle() && p.target.low() <= p.reference.low() + 0.05) {
@@ -108,57 +108,57 @@ Scored under_it(const Pair& p) {
           {}};
 }
 
-Scored middle_of(const Pair& p) {
+Scored middle_of(const ObjectPair& p) {
   const double off = checks::length(p.target.center() - p.reference.center());
   return {std::exp(-off * off / (2 * 0.25 * 0.25)), fmt::format("centres {:.2f} m apart in the plan", off), {}};
 }
 
-Scored foot_of(const Pair& p) {
+Scored foot_of(const ObjectPair& p) {
   const Scored side = at_side(p, Way::kFront, "in front of"), near = distance_in(p, 0, 0.5);
   return {std::min(side.score, near.score), side.text + "; " + near.text, {}};
 }
 
-Scored inside_it(const Pair& p, bool wanted) {
+Scored inside_it(const ObjectPair& p, bool wanted) {
   const double share = inside_share(p.target, p.reference);
   return {wanted ? share : 1 - share, fmt::format("{:.0f} % of it inside", share * 100), {}};
 }
 
-struct Row {
+struct CheckRow {
   std::string_view name;
   PairCheck check;
   bool symmetric;
 };
 
 constexpr std::array kChecks{
-    Row{"next", [](const Pair& p) { return distance_in(p, 0, 0.5); }, true},
-    Row{"near", [](const Pair& p) { return distance_in(p, 0, 1.5); }, true},
-    Row{"across", [](const Pair& p) { return distance_in(p, 1.5, 4); }, true},
-    Row{"far", [](const Pair& p) { return distance_in(p, 4, kForever); }, true},
-    Row{"apart", [](const Pair& p) { return distance_in(p, 0.5, kForever); }, true},
-    Row{"left", [](const Pair& p) { return at_side(p, Way::kLeft, "left of"); }, false},
-    Row{"right", [](const Pair& p) { return at_side(p, Way::kRight, "right of"); }, false},
-    Row{"behind", [](const Pair& p) { return at_side(p, Way::kBack, "behind"); }, false},
-    Row{"front", [](const Pair& p) { return at_side(p, Way::kFront, "in front of"); }, false},
-    Row{"foot", &foot_of, false},
-    Row{"left_half", [](const Pair& p) { return in_half(p, Way::kLeft); }, false},
-    Row{"right_half", [](const Pair& p) { return in_half(p, Way::kRight); }, false},
-    Row{"front_half", [](const Pair& p) { return in_half(p, Way::kFront); }, false},
-    Row{"back_half", [](const Pair& p) { return in_half(p, Way::kBack); }, false},
-    Row{"top_half", &top_half, false},
-    Row{"bottom_half", [](const Pair& p) { return in_half(p, Way::kBottom); }, false},
-    Row{"long_side", [](const Pair& p) { return at_sides(p, true); }, false},
-    Row{"short_side", [](const Pair& p) { return at_sides(p, false); }, false},
-    Row{"inside", [](const Pair& p) { return inside_it(p, true); }, false},
-    Row{"outside", [](const Pair& p) { return inside_it(p, false); }, false},
-    Row{"on", &on_top, false},
-    Row{"face", [](const Pair& p) { return faces(p.target, p.reference); }, false},
-    Row{"above", &above_it, false},
-    Row{"under", &under_it, false},
-    Row{"middle", &middle_of, false},
+    CheckRow{"next", [](const ObjectPair& p) { return distance_in(p, 0, 0.5); }, true},
+    CheckRow{"near", [](const ObjectPair& p) { return distance_in(p, 0, 1.5); }, true},
+    CheckRow{"across", [](const ObjectPair& p) { return distance_in(p, 1.5, 4); }, true},
+    CheckRow{"far", [](const ObjectPair& p) { return distance_in(p, 4, kForever); }, true},
+    CheckRow{"apart", [](const ObjectPair& p) { return distance_in(p, 0.5, kForever); }, true},
+    CheckRow{"left", [](const ObjectPair& p) { return at_side(p, Way::kLeft, "left of"); }, false},
+    CheckRow{"right", [](const ObjectPair& p) { return at_side(p, Way::kRight, "right of"); }, false},
+    CheckRow{"behind", [](const ObjectPair& p) { return at_side(p, Way::kBack, "behind"); }, false},
+    CheckRow{"front", [](const ObjectPair& p) { return at_side(p, Way::kFront, "in front of"); }, false},
+    CheckRow{"foot", &foot_of, false},
+    CheckRow{"left_half", [](const ObjectPair& p) { return in_half(p, Way::kLeft); }, false},
+    CheckRow{"right_half", [](const ObjectPair& p) { return in_half(p, Way::kRight); }, false},
+    CheckRow{"front_half", [](const ObjectPair& p) { return in_half(p, Way::kFront); }, false},
+    CheckRow{"back_half", [](const ObjectPair& p) { return in_half(p, Way::kBack); }, false},
+    CheckRow{"top_half", &top_half, false},
+    CheckRow{"bottom_half", [](const ObjectPair& p) { return in_half(p, Way::kBottom); }, false},
+    CheckRow{"long_side", [](const ObjectPair& p) { return at_sides(p, true); }, false},
+    CheckRow{"short_side", [](const ObjectPair& p) { return at_sides(p, false); }, false},
+    CheckRow{"inside", [](const ObjectPair& p) { return inside_it(p, true); }, false},
+    CheckRow{"outside", [](const ObjectPair& p) { return inside_it(p, false); }, false},
+    CheckRow{"on", &on_top, false},
+    CheckRow{"face", [](const ObjectPair& p) { return faces(p.target, p.reference); }, false},
+    CheckRow{"above", &above_it, false},
+    CheckRow{"under", &under_it, false},
+    CheckRow{"middle", &middle_of, false},
 };
 
-const Row* row_of(std::string_view check) {
-  const auto found = std::find_if(kChecks.begin(), kChecks.end(), [&](const Row& row) { return row.name == check; });
+const CheckRow* row_of(std::string_view check) {
+  const auto found = std::find_if(kChecks.begin(), kChecks.end(), [&](const CheckRow& row) { return row.name == check; });
   return found == kChecks.end() ? nullptr : &*found;
 }
 
@@ -170,12 +170,12 @@ MeasuredRoom::MeasuredRoom(const checks::RoomView& of_view) : view(of_view) {
 }
 
 Scored score_objects(std::string_view check, const Block& target, const Block& reference, const MeasuredRoom& room) {
-  const Row* row = row_of(check);
+  const CheckRow* row = row_of(check);
   return row ? row->check({target, reference, room}) : Scored{0, fmt::format("there is no check \"{}\"", check), {}};
 }
 
 bool is_symmetric(std::string_view check) {
-  const Row* row = row_of(check);
+  const CheckRow* row = row_of(check);
   return row != nullptr && row->symmetric;
 }
 

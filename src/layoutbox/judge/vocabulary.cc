@@ -10,11 +10,11 @@
 namespace layoutbox::scoring {
 namespace {
 
-using WordList = std::map<std::string, std::string, std::less<>>;  // word → check
+using CheckWords = std::map<std::string, std::string, std::less<>>;  // word → check
 
 struct Vocabulary {
   std::set<std::string, std::less<>> prepositions, general, shelf_like, hanger_like, ring;
-  std::map<std::string, WordList, std::less<>> lists;
+  std::map<std::string, CheckWords, std::less<>> lists;
 };
 
 Vocabulary read_vocabulary() {
@@ -73,7 +73,7 @@ Phrase head_of(Phrase phrase) {
 }
 
 std::string_view check_for(std::string_view word, std::string_view list) {
-  const WordList& words = vocabulary().lists.find(list)->second;
+  const CheckWords& words = vocabulary().lists.find(list)->second;
   std::string key = snake_case(word);
   for (int round = 0; round < 2; ++round) {
     if (const auto found = words.find(key); found != words.end()) return found->second;

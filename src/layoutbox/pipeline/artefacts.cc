@@ -8,14 +8,16 @@
 namespace layoutbox {
 namespace {
 
-using Text = Result<std::string>;
+using ArtefactText = Result<std::string>;
 
-Text scene_json(const RoomSoFar& room) { return write_scene(room.scene); }
-Text layout_json(const RoomSoFar& room) { return write_layout(room.layout); }
-Text floor_plan(const RoomSoFar& room) { return write_floor_plan_svg(room.layout, room.catalog); }
-Text glb(const RoomSoFar& room) { return write_glb(room.model, room.layout); }
-Text blender_script(const RoomSoFar& room) { return write_blender_script(room.model, room.layout, room.catalog, room.options.render); }
-Text report_json(const RoomSoFar& room) { return write_report(room.report); }
+ArtefactText scene_json(const RoomSoFar& room) { return write_scene(room.scene); }
+ArtefactText layout_json(const RoomSoFar& room) { return write_layout(room.layout); }
+ArtefactText floor_plan(const RoomSoFar& room) { return write_floor_plan_svg(room.layout, room.catalog); }
+ArtefactText glb(const RoomSoFar& room) { return write_glb(room.model, room.layout); }
+ArtefactText blender_script(const RoomSoFar& room) {
+  return write_blender_script(room.model, room.layout, room.catalog, room.options.render);
+}
+ArtefactText report_json(const RoomSoFar& room) { return write_report(room.report); }
 
 constexpr std::array kArtefacts{
     Artefact{"scene.json", Stage::kPlan, scene_json, false, true},

@@ -114,7 +114,7 @@ Result<Fields> fields_of_line(std::string_view text) {
   return fields_of(object);
 }
 
-class Reader {
+class BatchReader {
  public:
   Result<std::vector<BatchLine>> read(std::string_view text) {
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
@@ -216,6 +216,6 @@ class Reader {
 
 }  // namespace
 
-Result<std::vector<BatchLine>> read_batch(std::string_view text) { return Reader().read(text); }
+Result<std::vector<BatchLine>> read_batch(std::string_view text) { return BatchReader().read(text); }
 
 }  // namespace layoutbox

@@ -22,9 +22,9 @@ namespace layoutbox {
 namespace {
 
 // One run: holds the folder, the clock and what has been made so far.
-class Run {
+class RoomRun {
  public:
-  Run(std::string_view prompt, const Catalog& catalog, std::filesystem::path folder, const GenerateOptions& options)
+  RoomRun(std::string_view prompt, const Catalog& catalog, std::filesystem::path folder, const GenerateOptions& options)
       : prompt_(prompt), catalog_(catalog), folder_(std::move(folder)), options_(options) {
     options_.plan.stop = options_.stop;
     options_.solve.stop = options_.stop;
@@ -346,19 +346,19 @@ class Run {
 
 Result<GenerateOutcome> generate(std::string_view prompt, const Planner& planner, const Catalog& catalog,
                                  const std::filesystem::path& folder, const GenerateOptions& options) {
-  return Run(prompt, catalog, folder, options)(&planner, {});
+  return RoomRun(prompt, catalog, folder, options)(&planner, {});
 }
 
 Result<GenerateOutcome> generate_from_scene(SceneGraph scene, const Catalog& catalog, const std::filesystem::path& folder,
                                             const GenerateOptions& options) {
   const std::string prompt = scene.prompt;
-  return Run(prompt, catalog, folder, options)(nullptr, std::move(scene));
+  return RoomRun(prompt, catalog, folder, options)(nullptr, std::move(scene));
 }
 
 Result<GenerateOutcome> generate_from_layout(SceneGraph scene, Layout layout, const Catalog& catalog, const std::filesystem::path& folder,
                                              const GenerateOptions& options) {
   const std::string prompt = scene.prompt;
-  Run run(prompt, catalog, folder, options);
+  RoomRun run(prompt, catalog, folder, options);
   run.use(std::move(layout));
   return run(nullptr, std::move(scene));
 }

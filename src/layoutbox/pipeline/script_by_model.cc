@@ -43,9 +43,9 @@ std::string beginning_of(const fs::path& script) {
   return text ? text->substr(0, text->rfind('\n', kMostOfTemplate)) : std::string();
 }
 
-class Drawer {
+class ScriptDrawer {
  public:
-  Drawer(ScriptByModel options, const fs::path& script, fs::path folder, const RenderOptions& render)
+  ScriptDrawer(ScriptByModel options, const fs::path& script, fs::path folder, const RenderOptions& render)
       : options_(std::move(options)), script_(script), folder_(std::move(folder)), render_(render), client_(options_.chat) {}
 
   Result<RenderOutputs> draw() {
@@ -127,7 +127,7 @@ class Drawer {
 
 DrawPictures draw_by_model(ScriptByModel options) {
   return [options = std::move(options)](const fs::path& script, const fs::path& folder, const RenderOptions& render) {
-    return Drawer(options, script, folder, render).draw();
+    return ScriptDrawer(options, script, folder, render).draw();
   };
 }
 

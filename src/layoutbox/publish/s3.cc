@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kFetchSeconds = 3600;
 
-struct Store {
+struct BucketStore {
   Address endpoint;
   std::string bucket, prefix;
   bool bucket_in_path = true;  // else in the host
@@ -18,7 +18,7 @@ struct Store {
 
 class S3Publisher final : public Publisher {
  public:
-  S3Publisher(Store store, const Crypto& crypto, Settings settings)
+  S3Publisher(BucketStore store, const Crypto& crypto, Settings settings)
       : store_(std::move(store)), crypto_(crypto), settings_(std::move(settings)) {}
 
   Result<std::string> publish(const File& file, const std::atomic<bool>* stop) override {
@@ -49,7 +49,7 @@ class S3Publisher final : public Publisher {
   }
   std::string address_of(const S3Request& request) const { return store_.endpoint.scheme + "://" + request.host + request.path; }
 
-  Store store_;
+  BucketStore store_;
   const Crypto& crypto_;
   Settings settings_;
 };
@@ -63,7 +63,7 @@ bool is_bucket(std::string_view name) {
 
 Result<std::unique_ptr<Publisher>> make_s3_publisher(Settings settings) {
   LAYOUTBOX_ASSIGN(const Crypto* crypto, Crypto::get());
-  Store store;
+  BucketStore store;
   LAYOUTBOX_ASSIGN(store.bucket, settings.need("LAYOUTBOX_S3_BUCKET", false));
   LAYOUTBOX_ASSIGN(store.key.id, settings.need("AWS_ACCESS_KEY_ID", true));
   LAYOUTBOX_ASSIGN(store.key.secret, settings.need("AWS_SECRET_ACCESS_KEY", true));

@@ -20,23 +20,25 @@ constexpr double kHungWorth = 1.5;  // of what was told to hang on a wall: on on
 constexpr double kBetter = 1.03;    // so much better than the usual corner is worth another
 constexpr double kClear = 0.005;    // metres beyond a face where a ray starts
 
-struct Vector {
+struct ViewVector {
   double x = 0, y = 0, z = 0;
 };
 
 // A thing as an upright box, turned about z; metres.
-struct Thing {
-  Vector at;  // the middle of its underside
+struct ShownThing {
+  ViewVector at;  // the middle of its underside
   double half_width = 0, half_depth = 0, height = 0;
-  Vector right, back;  // its own axes in the plan
+  ViewVector right, back;  // its own axes in the plan
   bool has_front = false;
 
-  Vector point(double x, double y, double z) const { return {at.x + right.x * x + back.x * y, at.y + right.y * x + back.y * y, at.z + z}; }
+  ViewVector point(double x, double y, double z) const {
+    return {at.x + right.x * x + back.x * y, at.y + right.y * x + back.y * y, at.z + z};
+  }
 };
 
-Thing thing_of(const PlacedObject& object) {
+ShownThing thing_of(const PlacedObject& object) {
   const double turn = radians_from_degrees(object.rotation_deg);
-  Thing thing;
+  ShownThing thing;
   thing.at = {object.position[0] / 1000, object.position[1] / 1000, object.position[2] / 1000};
   thing.half_width = object.size.width / 2000.0, thing.half_depth = object.size.depth / 2000.0, thing.height = object.size.height / 1000.0;
   thing.right = {std::cos(turn), std::sin(turn), 0}, thing.back = {-std::sin(turn), std::cos(turn), 0};
@@ -46,7 +48,7 @@ Thing thing_of(const PlacedObject& object) {
 }
 
 // Does the ray from p towards the camera pass through the box?
-bool hides(const Thing& thing, const Vector& p, const Vector& toward) {
+bool hides(const ShownThing& thing, const ViewVector& p, const ViewVector& toward) {
   const double dx = p.x - thing.at.x, dy = p.y - thing.at.y;
   const std::array<double, 3> from{dx * thing.right.x + dy * thing.right.y, dx * thing.back.x + dy * thing.back.y, p.z - thing.at.z};
   const std::array<double, 3> way{toward.x * thing.right.x + toward.y * thing.right.y, toward.x * thing.back.x + toward.y * thing.back.y,
@@ -65,13 +67,13 @@ bool hides(const Thing& thing, const Vector& p, const Vector& toward) {
 }
 
 // What is seen of fronts and tops, a front counting by its size.
-double shown_from(const std::vector<Thing>& things, double azimuth_deg, double elevation_deg) {
+double shown_from(const std::vector<ShownThing>& things, double azimuth_deg, double elevation_deg) {
   const double azimuth = radians_from_degrees(azimuth_deg), elevation = radians_from_degrees(elevation_deg);
-  const Vector toward{std::cos(elevation) * std::sin(azimuth), -std::cos(elevation) * std::cos(azimuth), std::sin(elevation)};
+  const ViewVector toward{std::cos(elevation) * std::sin(azimuth), -std::cos(elevation) * std::cos(azimuth), std::sin(elevation)};
   double shown = 0;
-  for (const Thing& thing : things) {
-    const auto seen = [&](const Vector& p) {
-      return std::ranges::none_of(things, [&](const Thing& other) { return &other != &thing && hides(other, p, toward); });
+  for (const ShownThing& thing : things) {
+    const auto seen = [&](const ViewVector& p) {
+      return std::ranges::none_of(things, [&](const ShownThing& other) { return &other != &thing && hides(other, p, toward); });
     };
     int front = 0, top = 0;
     const bool turned_to_us = thing.has_front && -(thing.back.x * toward.x + thing.back.y * toward.y) > 0.1 * std::cos(elevation);
@@ -148,12 +150,12 @@ std::optional<Corner> corner_from_name(std::string_view name) {
 }
 
 Corner best_corner(const Layout& layout, const Catalog& catalog, double elevation_deg) {
-  std::vector<Thing> things;
+  std::vector<ShownThing> things;
   for (const PlacedObject& object : layout.objects) {
     if (object.origin != Origin::kAdded && wall_of_slope(layout, object, catalog) == nullptr)
       things.push_back(thing_of(object));  // what we add to a room does not turn it
   }
-  const auto volume = [](const Thing& t) { return t.half_width * t.half_depth * t.height; };
+  const auto volume = [](const ShownThing& t) { return t.half_width * t.half_depth * t.height; };
   std::ranges::stable_sort(things, std::greater{}, volume);
   if (things.size() > kMostThings) things.resize(kMostThings);
   Corner best = Corner::kSouthEast;

@@ -18,14 +18,14 @@ Mesh triangle(float width) {
   return {{{0, 0, 0}, {width, 0, 0}, {0, 1, 0}}, {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}, {{0, 0}, {width, 0}, {0, 1}}, {0, 1, 2}};
 }
 
-struct Room2 {
+struct ScriptRoom {
   Model model;
   Layout layout;
 };
 
 // A room of 2 × 1 m with a picture on its back wall and a chair; names and prompt try to break out of the script.
-Room2 small_room() {
-  Room2 out;
+ScriptRoom small_room() {
+  ScriptRoom out;
   out.layout.prompt = "a \"room\"\n'''import os''' \"\"\" \\ é 🛋 \x01";
   out.layout.room.polygon = {{0, 0}, {2000, 0}, {2000, 1000}, {0, 1000}};
   out.layout.room.height = 2500;
@@ -62,7 +62,7 @@ Room2 small_room() {
 }
 
 std::string script() {
-  const Room2 room = small_room();
+  const ScriptRoom room = small_room();
   return write_blender_script(room.model, room.layout, Catalog::builtin(), {});
 }
 
@@ -76,7 +76,7 @@ TEST(BlenderScript, NamesEveryObjectWithItsPlaceAndSize) {
 }
 
 TEST(BlenderScript, CarriesTheOptions) {
-  const Room2 room = small_room();
+  const ScriptRoom room = small_room();
   RenderOptions options;
   options.width = 640;
   options.height = 480;

@@ -74,9 +74,9 @@ except BaseException as error:
 };
 
 // A server of the user's on this machine.
-class Listener {
+class SocketListener {
  public:
-  explicit Listener(int family) : socket_(::socket(family, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+  explicit SocketListener(int family) : socket_(::socket(family, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
     sockaddr_in address{};
     address.sin_family = AF_INET;
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
@@ -110,7 +110,7 @@ TEST_F(Sandbox, RunsWhatItIsGiven) {
 }
 
 TEST_F(Sandbox, TheNetworkIsOutOfReach) {
-  const Listener listener(AF_INET);
+  const SocketListener listener(AF_INET);
   expect_contained("a server on this machine", fmt::format("socket.create_connection(('127.0.0.1', {}), 2); out = True", listener.port()));
   expect_contained("a server elsewhere", "socket.create_connection(('192.0.2.1', 80), 2); out = True");
   expect_contained("a datagram", "socket.socket(socket.AF_INET, socket.SOCK_DGRAM).sendto(b'x', ('192.0.2.1', 53)); out = True");

@@ -18,14 +18,14 @@ namespace fs = std::filesystem;
 
 constexpr int kDeepest = 64;  // folders within folders
 
-struct Task {
+struct KernelTask {
   pid_t parent = 0;
   int threads = 0;
   double pages = 0;
 };
 
 // Of /proc/PID/stat: what follows the name in brackets, which may hold anything.
-bool read_task(pid_t pid, Task& task) {
+bool read_task(pid_t pid, KernelTask& task) {
   std::ifstream file(fmt::format("/proc/{}/stat", pid));
   std::string line;
   if (!std::getline(file, line)) return false;
@@ -52,14 +52,14 @@ void add_contents(const fs::path& folder, int depth, Contents& contents) {
 }  // namespace
 
 Load load_of(pid_t top) {
-  std::map<pid_t, Task> tasks;
+  std::map<pid_t, KernelTask> tasks;
   std::error_code error;
   for (fs::directory_iterator entry("/proc", error), end; !error && entry != end; entry.increment(error)) {
     const std::string name = entry->path().filename().string();
     pid_t pid = 0;
     const auto [rest, failed] = std::from_chars(name.data(), name.data() + name.size(), pid);
     if (failed != std::errc{} || rest != name.data() + name.size()) continue;
-    Task task;
+    KernelTask task;
     if (read_task(pid, task)) tasks[pid] = task;
   }
   const double page_mb = static_cast<double>(::sysconf(_SC_PAGESIZE)) / kMb;

@@ -18,11 +18,11 @@ constexpr std::size_t kUsualArticles = 50, kMostArticles = 5000;
 
 struct Named {
   std::string operation;
-  Call call;
+  CallFunction call;
 };
 
 // The answer, or the error's object with its status.
-Answer work(Site& site, Call call, const nlohmann::json& body, const Surroundings& around) {
+Answer work(Site& site, CallFunction call, const nlohmann::json& body, const Surroundings& around) {
   if (!site.gate.enter()) return error_answer(429, {ErrorCode::kTooLarge, "too much work is waiting", {}, "ask again in a second", {}});
   auto answer = call(body, around);
   site.gate.leave();

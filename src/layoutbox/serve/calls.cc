@@ -17,7 +17,7 @@ namespace {
 
 struct CallRow {
   std::string_view operation;
-  Call call;
+  CallFunction call;
 };
 
 constexpr std::array kCalls{
@@ -87,7 +87,7 @@ Result<Json> RequestSchemas::read(std::string_view operation, std::string_view b
   return Failure(std::move(error));
 }
 
-Call find_call(std::string_view operation) {
+CallFunction find_call(std::string_view operation) {
   const auto found = std::find_if(kCalls.begin(), kCalls.end(), [&](const CallRow& row) { return row.operation == operation; });
   return found == kCalls.end() ? nullptr : found->call;
 }

@@ -47,10 +47,10 @@ class RequestSchemas {
 };
 
 // One function for each; `request` follows its schema. Errors: those of the stages.
-using Call = Result<Answer> (*)(const nlohmann::json& request, const Surroundings& around);
+using CallFunction = Result<Answer> (*)(const nlohmann::json& request, const Surroundings& around);
 
 // By operationId; null where there is none.
-Call find_call(std::string_view operation);
+CallFunction find_call(std::string_view operation);
 
 Result<Answer> generate_call(const nlohmann::json& request, const Surroundings& around);
 Result<Answer> plan_call(const nlohmann::json& request, const Surroundings& around);

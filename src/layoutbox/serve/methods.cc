@@ -10,7 +10,7 @@
 namespace layoutbox::serve {
 namespace {
 
-struct Address {
+struct CallAddress {
   std::vector<std::string> segments;
   std::string allowed;
 };
@@ -28,11 +28,11 @@ std::vector<std::string> segments_of(std::string_view path) {
 
 bool is_known_method(const std::string& word) { return word == "get" || word == "post" || word == "delete" || word == "put"; }
 
-std::vector<Address> read_addresses() {
-  std::vector<Address> addresses;
+std::vector<CallAddress> read_addresses() {
+  std::vector<CallAddress> addresses;
   const auto document = nlohmann::json::parse(openapi_text());
   for (const auto& [path, operations] : document.at("paths").items()) {
-    Address address{segments_of(path), {}};
+    CallAddress address{segments_of(path), {}};
     for (const auto& [word, operation] : operations.items()) {
       if (!is_known_method(word)) continue;
       std::string method = word;
@@ -52,11 +52,11 @@ bool fits(const std::vector<std::string>& pattern, const std::vector<std::string
 }  // namespace
 
 std::string allowed_methods(std::string_view path) {
-  static const std::vector<Address> addresses = read_addresses();
+  static const std::vector<CallAddress> addresses = read_addresses();
   const std::vector<std::string> segments = segments_of(path);
-  const auto exact = std::ranges::find_if(addresses, [&](const Address& a) { return a.segments == segments; });
+  const auto exact = std::ranges::find_if(addresses, [&](const CallAddress& a) { return a.segments == segments; });
   if (exact != addresses.end()) return exact->allowed;
-  const auto found = std::ranges::find_if(addresses, [&](const Address& a) { return fits(a.segments, segments); });
+  const auto found = std::ranges::find_if(addresses, [&](const CallAddress& a) { return fits(a.segments, segments); });
   return found == addresses.end() ? std::string{} : found->allowed;
 }
 

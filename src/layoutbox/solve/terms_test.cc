@@ -19,9 +19,9 @@ constexpr unsigned kScenes = 40, kMoves = 40;
 constexpr std::int64_t kSteps = 60'000;
 constexpr std::int64_t kNoLoss = std::numeric_limits<std::int64_t>::min();
 
-class RandomRoom {
+class ShuffledRoom {
  public:
-  explicit RandomRoom(unsigned seed) : random_(seed) {
+  explicit ShuffledRoom(unsigned seed) : random_(seed) {
     const std::vector<std::string> kinds{"bed",   "desk",  "chair",    "sofa",       "wardrobe", "bookshelf", "table_lamp",
                                          "plant", "table", "armchair", "nightstand", "rug",      "painting",  "ceiling_lamp"};
     const std::vector<std::string> pairs{"leftOf", "nextTo", "near", "behind", "facing", "reachable"};
@@ -79,7 +79,7 @@ class RandomRoom {
 
 TEST(Terms, DeltasAddUp) {
   for (unsigned seed = 1; seed <= kScenes; ++seed) {
-    RandomRoom room(seed);
+    ShuffledRoom room(seed);
     KnownCosts known;
     Placements before = room.all_anywhere();
     for (unsigned move = 0; move < kMoves; ++move) {
@@ -101,7 +101,7 @@ TEST(Terms, DeltasAddUp) {
 }
 
 TEST(Terms, AGainThatIsNotWorthItIsSaidToBeNone) {
-  RandomRoom room(1);
+  ShuffledRoom room(1);
   const Placements before = room.all_anywhere();
   for (unsigned move = 0; move < kMoves; ++move) {
     const auto [after, moved] = room.some_moved(before);
@@ -114,7 +114,7 @@ TEST(Terms, AGainThatIsNotWorthItIsSaidToBeNone) {
 
 TEST(Terms, WhatIsScoredIsTheWholeButForStaying) {
   for (unsigned seed = 1; seed <= kScenes; ++seed) {
-    RandomRoom room(seed);
+    ShuffledRoom room(seed);
     const Placements placements = room.all_anywhere();
     std::int64_t sum = 0;
     for (const auto& [name, cost] : scored_costs(room.model(), placements)) sum += cost;
@@ -147,7 +147,7 @@ std::optional<Candidate> cheapest(const PlacementModel& model, const Placements&
 TEST(Terms, CandidatesCostWhatTheTermsSay) {
   unsigned checked = 0;
   for (unsigned seed = 1; seed <= kScenes; ++seed) {
-    RandomRoom room(seed);
+    ShuffledRoom room(seed);
     Search search(room.model(), {}, seed, 0);
     Budget budget{0, kSteps, {}, false};
     if (!search.construct(2, budget)) continue;

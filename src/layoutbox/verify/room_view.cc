@@ -43,25 +43,25 @@ namespace {
 constexpr double kAtEdges = 0.005;  // m: at the two straight edges it is no intrusion
 
 // Where a leaf that opens inwards hangs, and the way from there along the wall to its free edge.
-struct Leaf {
+struct HingedLeaf {
   Vec2d hinge, towards;
 };
 
-std::optional<Leaf> leaf_of(const Face& door) {
+std::optional<HingedLeaf> leaf_of(const Face& door) {
   if (door.opening == nullptr) return std::nullopt;
   const Swing swing = door.opening->swing;
   if (door.opening->type != OpeningType::kDoor || (swing != Swing::kInLeft && swing != Swing::kInRight)) return std::nullopt;
   // Looking at the wall from the room, the wall's direction (floor on its left hand) runs to the left.
   const bool at_left_end = swing == Swing::kInLeft;
   const bool end_is_left = dot(door.along, door.shape.frame.x) < 0;
-  if (at_left_end == end_is_left) return Leaf{door.end, door.along * -1};
-  return Leaf{door.start, door.along};
+  if (at_left_end == end_is_left) return HingedLeaf{door.end, door.along * -1};
+  return HingedLeaf{door.start, door.along};
 }
 
 }  // namespace
 
 double swing_intrusion(const Face& door, const Body& body) {
-  const std::optional<Leaf> leaf = leaf_of(door);
+  const std::optional<HingedLeaf> leaf = leaf_of(door);
   if (!leaf || overlap(body.shape.heights, door.shape.heights) <= kAtEdges + kTiny) return 0;
   Polygon swept = clip_half_plane(body.shape.plan, leaf->hinge + leaf->towards * kAtEdges, leaf->towards);
   swept = clip_half_plane(swept, leaf->hinge + door.inward * kAtEdges, door.inward);
@@ -71,7 +71,7 @@ double swing_intrusion(const Face& door, const Body& body) {
 
 Polygon swing_of(const Face& door) {
   constexpr int kSteps = 16;
-  const std::optional<Leaf> leaf = leaf_of(door);
+  const std::optional<HingedLeaf> leaf = leaf_of(door);
   if (!leaf || door.length <= 2 * kAtEdges) return {};
   const Vec2d corner = leaf->hinge + (leaf->towards + door.inward) * kAtEdges;
   Polygon disc{corner};

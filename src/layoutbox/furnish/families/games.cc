@@ -8,11 +8,11 @@ namespace layoutbox::kit {
 namespace {
 
 // Game tables play along their longer side; they are made with it along x and turned where it is y.
-struct Along {
+struct LongSide {
   double a, b;  // half lengths along and across
   Pose turn;
 };
-Along along(const Piece& p) { return p.w >= p.d ? Along{p.w / 2, p.d / 2, {}} : Along{p.d / 2, p.w / 2, turned_z(90)}; }
+LongSide along(const Piece& p) { return p.w >= p.d ? LongSide{p.w / 2, p.d / 2, {}} : LongSide{p.d / 2, p.w / 2, turned_z(90)}; }
 
 void pool_table(Piece& p) {
   const auto [a, b, turn] = along(p);

@@ -10,10 +10,10 @@
 namespace layoutbox::kit {
 namespace {
 
-using Lines = std::vector<std::string>;
+using ModelLines = std::vector<std::string>;
 
-const std::map<std::string, Lines>& models() {
-  static const auto all = nlohmann::json::parse(embedded::models_json).at("models").get<std::map<std::string, Lines>>();
+const std::map<std::string, ModelLines>& models() {
+  static const auto all = nlohmann::json::parse(embedded::models_json).at("models").get<std::map<std::string, ModelLines>>();
   return all;
 }
 
@@ -88,13 +88,13 @@ Mesh ellipsoid_in(const Numbers& n) {
   return ellipsoid(b.center(), b.size() * 0.5, 16, 10);
 }
 
-struct Solid {
+struct ModeledSolid {
   std::size_t least;  // numbers that it needs
   Mesh (*make)(const Numbers&);
 };
 
-const std::map<std::string_view, Solid>& solids() {
-  static const std::map<std::string_view, Solid> all = {
+const std::map<std::string_view, ModeledSolid>& solids() {
+  static const std::map<std::string_view, ModeledSolid> all = {
       {"box", {6, [](const Numbers& n) { return box(box_of(n), or_else(n, 6, 0.003)); }}},
       {"rounded", {7, [](const Numbers& n) { return rounded_box(box_of(n), n[6]); }}},
       {"cushion", {7, [](const Numbers& n) { return cushion(box_of(n), n[6]); }}},

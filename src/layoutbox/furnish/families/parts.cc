@@ -73,7 +73,7 @@ void fronts(Piece& p, int surface, int handle_surface, const Fronts& f) {
 
 namespace {
 
-struct Cell {
+struct ClosedCell {
   double x0, x1, z0, z1;
 };
 
@@ -114,7 +114,7 @@ class ClosedCells {
     take_rows();
   }
 
-  std::vector<Cell> cells;
+  std::vector<ClosedCell> cells;
 
  private:
   bool free(std::size_t i0, std::size_t i1, std::size_t j0, std::size_t j1) const {
@@ -160,7 +160,7 @@ class ClosedCells {
 };
 
 // Doors or drawers over a rectangle, in the depth from `front` (handles) back to `face`.
-void close_front(Piece& p, const Carcass& c, const Cell& cell, double front, double face) {
+void close_front(Piece& p, const Carcass& c, const ClosedCell& cell, double front, double face) {
   const double width = cell.x1 - cell.x0, height = cell.z1 - cell.z0, deep = face - front;
   const bool drawers = c.drawers > 0 || (height < 0.45 && width > height * 1.5);
   Fronts f{cell.x0 + 0.004, cell.x1 - 0.004, cell.z0 + 0.004, cell.z1 - 0.004, front + deep / 2};
@@ -187,7 +187,7 @@ int worktop(Piece& p) {
 
 void carcass(Piece& p, const Carcass& c) {
   std::vector<Box> open;
-  std::vector<Cell> behind_doors;
+  std::vector<ClosedCell> behind_doors;
   const double front = c.box.min.y;
   for (const FreeSpace& space : p.spaces) {
     const Box& s = space.box;
@@ -204,7 +204,7 @@ void carcass(Piece& p, const Carcass& c) {
     if (c.closed_fronts && s.min.y > front + 0.012) face = std::min(face, s.min.y);
   }
   // Boards end at the front of what they frame; only where there are doors and drawers does the body stand back for them.
-  for (const Cell& cell : ClosedCells(c.box, open).cells) {
+  for (const ClosedCell& cell : ClosedCells(c.box, open).cells) {
     const bool board = std::min(cell.x1 - cell.x0, cell.z1 - cell.z0) < 0.085;
     const bool plain = board || !c.closed_fronts;
     p.add(c.body,
@@ -219,8 +219,8 @@ void carcass(Piece& p, const Carcass& c) {
   }
   if (!closed_inside) return;
   // One set of doors over all that lies behind them, out to the body's edges.
-  Cell all = behind_doors.front();
-  for (const Cell& cell : behind_doors)
+  ClosedCell all = behind_doors.front();
+  for (const ClosedCell& cell : behind_doors)
     all = {std::min(all.x0, cell.x0), std::max(all.x1, cell.x1), std::min(all.z0, cell.z0), std::max(all.z1, cell.z1)};
   Carcass doors = c;
   if (behind_doors.size() == 1 || all.z1 - all.z0 > 0.4) doors.drawers = 0;

@@ -8,9 +8,9 @@ namespace layoutbox::kit {
 namespace {
 
 // The canvas of a picture: shapes in shares of its sides, each layer a hair before the one below, so that no faces coincide.
-class Canvas {
+class PictureSheet {
  public:
-  Canvas(Piece& p, double x0, double x1, double z0, double z1, double y) : p_(p), x0_(x0), z0_(z0), w_(x1 - x0), h_(z1 - z0), y_(y) {}
+  PictureSheet(Piece& p, double x0, double x1, double z0, double z1, double y) : p_(p), x0_(x0), z0_(z0), w_(x1 - x0), h_(z1 - z0), y_(y) {}
 
   void paint(const Color& color, const std::vector<Vec2>& outline, int layer) {
     std::vector<Vec2> placed;
@@ -36,7 +36,7 @@ constexpr Color kDark{0.20, 0.20, 0.24}, kWhite{0.97, 0.96, 0.93};
 constexpr Color kGay[] = {{0.36, 0.62, 0.80}, {0.95, 0.74, 0.36}, {0.88, 0.48, 0.42}, {0.48, 0.70, 0.52}, {0.66, 0.56, 0.78}};
 
 // A bear's or a cat's face.
-void animal_face(Piece& p, Canvas& on) {
+void animal_face(Piece& p, PictureSheet& on) {
   const Color fur = p.pick(2) == 0 ? Color{0.66, 0.48, 0.33} : Color{0.86, 0.62, 0.36}, inner{0.93, 0.80, 0.68};
   on.bar(mixed(kGay[p.pick(5)], kWhite, 0.55), 0, 1, 0, 1, 1);
   for (const double s : {-1.0, 1.0}) {
@@ -50,7 +50,7 @@ void animal_face(Piece& p, Canvas& on) {
 }
 
 // A rocket among stars.
-void rocket(Piece& p, Canvas& on) {
+void rocket(Piece& p, PictureSheet& on) {
   const Color red{0.86, 0.36, 0.32};
   on.bar({0.16, 0.22, 0.40}, 0, 1, 0, 1, 1);
   for (int i = 0; i < 9; ++i) on.disc({0.98, 0.92, 0.66}, {p.random(0.08, 0.92), p.random(0.1, 0.92)}, p.random(0.012, 0.03), 2);
@@ -63,7 +63,7 @@ void rocket(Piece& p, Canvas& on) {
 }
 
 // A whale that spouts.
-void whale(Piece& p, Canvas& on) {
+void whale(Piece& p, PictureSheet& on) {
   const Color blue = mixed(kGay[0], {0.12, 0.24, 0.42}, 0.25);
   on.bar({0.90, 0.94, 0.95}, 0, 1, 0, 1, 1);
   on.bar(mixed(kGay[0], kWhite, 0.45), 0, 1, 0, 0.22, 2);
@@ -75,7 +75,7 @@ void whale(Piece& p, Canvas& on) {
 }
 
 // A balloon over hills.
-void balloon(Piece& p, Canvas& on) {
+void balloon(Piece& p, PictureSheet& on) {
   const int first = p.pick(5);
   on.bar({0.86, 0.93, 0.96}, 0, 1, 0, 1, 1);
   on.disc(kGay[3], {0.2, 0.02}, 0.4, 2, 0.5);
@@ -86,7 +86,7 @@ void balloon(Piece& p, Canvas& on) {
   on.disc(kGay[(first + 1) % 5], {0.5, 0.64}, 0.11, 7, 2.35);
 }
 
-void for_a_child(Piece& p, Canvas& on) {
+void for_a_child(Piece& p, PictureSheet& on) {
   switch (p.pick(4)) {
     case 0: return animal_face(p, on);
     case 1: return rocket(p, on);
@@ -96,7 +96,7 @@ void for_a_child(Piece& p, Canvas& on) {
 }
 
 // A heading, a figure or bars, and lines of text.
-void chart(Piece& p, Canvas& on) {
+void chart(Piece& p, PictureSheet& on) {
   const Color ink = mixed(kGay[p.pick(5)], kDark, 0.35);
   on.bar(kWhite, 0, 1, 0, 1, 1);
   on.bar(ink, 0.08, 0.92, 0.86, 0.94, 2);
@@ -115,7 +115,7 @@ void chart(Piece& p, Canvas& on) {
 }
 
 // Simple compositions: hills and a sun, blocks of colour, arches.
-void composition(Piece& p, Canvas& on, bool abstract) {
+void composition(Piece& p, PictureSheet& on, bool abstract) {
   const Color accent = p.color_asked() ? Color{0.45, 0.5, 0.55} : p.accent();
   const Color deep = mixed(accent, {0.1, 0.12, 0.16}, 0.5), warm{0.86, 0.58, 0.36}, pale{0.90, 0.84, 0.74};
   const int kind = abstract ? 1 : p.pick(3);
@@ -152,7 +152,7 @@ void picture(Piece& p) {
   if (!bare) picture_frame(p, p.frame("walnut"), t);
   const double x0 = -p.w / 2 + t, x1 = p.w / 2 - t, z0 = t, z1 = p.h - t;
   p.add(p.main("paper"), box(sides(x0, x1, y, p.d / 2 - 0.001, z0, z1), 0));
-  Canvas on(p, x0, x1, z0, z1, y);
+  PictureSheet on(p, x0, x1, z0, z1, y);
   if (p.says("chart") || p.pictures() == "chart") return chart(p, on);
   if (p.pictures() == "child") return for_a_child(p, on);
   composition(p, on, said == "abstract");

@@ -8,7 +8,7 @@ namespace layoutbox::kit {
 namespace {
 
 // Body on feet (or a plinth), with a top board where `overhang` is wanted.
-struct Style {
+struct CabinetStyle {
   std::string_view body, front, handles;
   double feet;
   int drawers;
@@ -29,7 +29,7 @@ void swung_doors(Piece& p, const Carcass& c) {
   }
 }
 
-void cabinet_of(Piece& p, const Style& style) {
+void cabinet_of(Piece& p, const CabinetStyle& style) {
   const int body = p.painted_frame(style.body);
   const int front = p.color_asked() ? p.main(style.front) : style.front == style.body ? body : p.frame(style.front);
   double feet = p.number("feet", style.feet);

@@ -17,7 +17,7 @@ namespace layoutbox::readers {
 namespace {
 
 using nlohmann::json;
-using Corner = std::array<double, 3>;
+using MeshPoint = std::array<double, 3>;
 
 constexpr int kDeepest = 64;
 constexpr std::size_t kMostNodes = 50'000;
@@ -33,9 +33,9 @@ std::string_view json_of_gltf(std::string_view bytes) {
 }
 
 struct Bounds {
-  Corner low{1e9, 1e9, 1e9}, high{-1e9, -1e9, -1e9};
+  MeshPoint low{1e9, 1e9, 1e9}, high{-1e9, -1e9, -1e9};
   bool empty() const { return low[0] > high[0]; }
-  void add(const Corner& point) {
+  void add(const MeshPoint& point) {
     for (std::size_t i = 0; i < 3; ++i) low[i] = std::min(low[i], point[i]), high[i] = std::max(high[i], point[i]);
   }
 };
@@ -133,7 +133,8 @@ class NodeReader {
     if (node(i).contains("mesh") && node(i).at("mesh").is_number_unsigned()) {
       const Bounds own = mesh_bounds(node(i).at("mesh").get<std::size_t>());
       for (int corner = 0; corner < 8 && !own.empty(); ++corner) {
-        const Corner p{corner & 1 ? own.high[0] : own.low[0], corner & 2 ? own.high[1] : own.low[1], corner & 4 ? own.high[2] : own.low[2]};
+        const MeshPoint p{corner & 1 ? own.high[0] : own.low[0], corner & 2 ? own.high[1] : own.low[1],
+                          corner & 4 ? own.high[2] : own.low[2]};
         const auto at = [&](std::size_t row) { return m[row] * p[0] + m[4 + row] * p[1] + m[8 + row] * p[2] + m[12 + row]; };
         const double x = at(0), y = -at(2);
         out.add({x * std::cos(turn) + y * std::sin(turn), y * std::cos(turn) - x * std::sin(turn), at(1)});

@@ -65,12 +65,13 @@ bool hang(Layout& layout, std::size_t i) {
   return true;
 }
 
-struct Kind {
+struct PlantedKind {
   const char* name;
   bool (*plant)(Layout& layout, std::size_t object);
 };
-constexpr std::array kKinds{Kind{"turned", &turn}, Kind{"swapped", &swap_with_next}, Kind{"moved into another", &into_next},
-                            Kind{"through a wall", &through_wall}, Kind{"hung in the air", &hang}};
+constexpr std::array kKinds{PlantedKind{"turned", &turn}, PlantedKind{"swapped", &swap_with_next},
+                            PlantedKind{"moved into another", &into_next}, PlantedKind{"through a wall", &through_wall},
+                            PlantedKind{"hung in the air", &hang}};
 
 // What a required check says; empty where the room passes.
 std::string fault_in(const Layout& layout, const Catalog& catalog) {
@@ -88,7 +89,7 @@ std::vector<PlantedFault> plant_faults(const Layout& sound, const Catalog& catal
   std::vector<std::size_t> order(sound.objects.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   Random(seed).shuffle(order);
-  for (const Kind& kind : kKinds) {
+  for (const PlantedKind& kind : kKinds) {
     for (const std::size_t i : order) {
       Layout layout = sound;
       if (!kind.plant(layout, i)) continue;

@@ -108,9 +108,9 @@ std::vector<Relation> all_that_could_be_said(const Layout& layout) {
   return relations;
 }
 
-class Drawer {
+class QuestionDrawer {
  public:
-  Drawer(const Layout& layout, const Catalog& catalog, const QuestionOptions& options)
+  QuestionDrawer(const Layout& layout, const Catalog& catalog, const QuestionOptions& options)
       : layout_(layout), catalog_(catalog), options_(options), random_(options.seed) {}
 
   std::vector<RoomQuestion> draw() {
@@ -269,7 +269,7 @@ std::string sentence_of(const Relation& relation, const Layout& layout) {
 }
 
 std::vector<RoomQuestion> draw_questions(const Layout& layout, const Catalog& catalog, const QuestionOptions& options) {
-  return Drawer(layout, catalog, options).draw();
+  return QuestionDrawer(layout, catalog, options).draw();
 }
 
 }  // namespace layoutbox::vlm

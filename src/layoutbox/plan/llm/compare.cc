@@ -22,9 +22,9 @@ constexpr Mm kSameLength = 15;
 
 bool says_at_least(RelationType said, RelationType wanted) { return said == wanted || traits_of(wanted).said_by.has(said); }
 
-class Comparison {
+class DraftComparison {
  public:
-  Comparison(const Plan& plan, const Catalog& catalog, const Settling& settling, Draft& draft)
+  DraftComparison(const Plan& plan, const Catalog& catalog, const Settling& settling, Draft& draft)
       : evidence_(plan, catalog),
         text_(plan.scene),
         catalog_(catalog),
@@ -375,7 +375,7 @@ class Comparison {
 }  // namespace
 
 std::vector<std::string> compare_with_text(const Plan& read_offline, const Catalog& catalog, const Settling& settling, Draft& draft) {
-  return Comparison(read_offline, catalog, settling, draft).run();
+  return DraftComparison(read_offline, catalog, settling, draft).run();
 }
 
 }  // namespace layoutbox::llm

@@ -184,9 +184,9 @@ std::string quoted_request(std::string_view text) {
 namespace {
 
 // The catalogue's lines, as long as there is room for them.
-class Lines {
+class PromptLines {
  public:
-  explicit Lines(std::int64_t budget) : left_(budget) {}
+  explicit PromptLines(std::int64_t budget) : left_(budget) {}
 
   bool add(std::string_view line) {
     const std::int64_t tokens = chat::estimated_tokens(line);
@@ -202,7 +202,7 @@ class Lines {
   std::string text_;
 };
 
-void add_articles(const Catalog& catalog, Lines& lines, SystemPrompt& prompt) {
+void add_articles(const Catalog& catalog, PromptLines& lines, SystemPrompt& prompt) {
   lines.add("(with catalogId: the user's own, to be preferred; copy catalogId)\n");
   for (const CatalogEntry& entry : catalog.entries()) {
     if (entry.article.empty()) continue;
@@ -211,7 +211,7 @@ void add_articles(const Catalog& catalog, Lines& lines, SystemPrompt& prompt) {
 }
 
 // What is named with its size, what else there is by its name.
-void add_entries(const Catalog& catalog, const PromptInput& input, Lines& lines, SystemPrompt& prompt) {
+void add_entries(const Catalog& catalog, const PromptInput& input, PromptLines& lines, SystemPrompt& prompt) {
   const Matter matter = entries_that_matter(catalog, input);
   for (std::size_t i = 0; i < matter.named; ++i) prompt.entries_shown += lines.add(entry_line(*matter.entries[i]));
   if (input.brief && matter.named > 0) return;
@@ -231,8 +231,8 @@ SystemPrompt make_system_prompt(const Catalog& catalog, const PromptInput& input
   prompt.text = input.brief ? std::string(kBriefRules) : std::string(kRules) + relations_text();
   prompt.text += room_text(input);
   const std::string head = "\nCatalogue, as id: width x depth x height\n";
-  Lines lines((input.brief ? kMostBriefTokens : kMostPromptTokens) - static_cast<std::int64_t>(input.fixed_tokens) -
-              chat::estimated_tokens(prompt.text + head) - chat::estimated_tokens(input.text));
+  PromptLines lines((input.brief ? kMostBriefTokens : kMostPromptTokens) - static_cast<std::int64_t>(input.fixed_tokens) -
+                    chat::estimated_tokens(prompt.text + head) - chat::estimated_tokens(input.text));
   if (catalog.has_articles()) add_articles(catalog, lines, prompt);
   if (!catalog.only_articles()) add_entries(catalog, input, lines, prompt);
   if (!lines.text().empty()) prompt.text += head + lines.text();

@@ -24,7 +24,7 @@ bool is_beside(R type) {
 // What it is on a wall, where that is another kind: a shelf is a board there, a rug or a quilt a tapestry. Else null.
 const CatalogEntry* RelationBuilder::wall_kind(const NounPhrase& noun) const {
   if (!noun.exact || mount_of(noun) == Mount::kWall) return nullptr;
-  const CatalogEntry* entry = kind_at(catalog_, noun.entry->id, Place::kOnWall);
+  const CatalogEntry* entry = kind_at(catalog_, noun.entry->id, KinPlace::kOnWall);
   const bool cloth = noun.entry->thin || catalog_.is_a(noun.entry->id, "blanket");
   return entry == nullptr && cloth ? catalog_.find("tapestry") : entry;
 }
@@ -115,7 +115,7 @@ void RelationBuilder::make_room_between() {
     if (middle == scene_.objects.end()) continue;
     const NounPhrase& thing = noun_of_object(*middle);
     if (thing.entry == nullptr || mount_of(thing) != Mount::kFloor) continue;
-    const CatalogEntry* small = kind_at(catalog_, thing.entry->id, Place::kBetweenSeats);
+    const CatalogEntry* small = kind_at(catalog_, thing.entry->id, KinPlace::kBetweenSeats);
     const bool easy = std::ranges::all_of(between.references, [&](const std::string& id) {
       const SceneObject* seat = object_of(id);
       const CatalogEntry* entry = seat == nullptr ? nullptr : noun_of_object(*seat).entry;
@@ -158,7 +158,8 @@ void RelationBuilder::settle_on_wall(SceneObject& object, const NounPhrase& noun
 bool RelationBuilder::settle_on_floor(SceneObject& object, const NounPhrase& noun) {
   const auto says = [&](std::string_view word) { return std::ranges::find(noun.attributes, word) != noun.attributes.end(); };
   const bool floor = noun.name.starts_with("floor ") || says("floor-standing") || says("freestanding") || says("free-standing");
-  const CatalogEntry* form = noun.exact && noun.entry->is(Trait::kKeptLow) ? kind_at(catalog_, noun.entry->id, Place::kOnFloor) : nullptr;
+  const CatalogEntry* form =
+      noun.exact && noun.entry->is(Trait::kKeptLow) ? kind_at(catalog_, noun.entry->id, KinPlace::kOnFloor) : nullptr;
   const bool low = form != nullptr && std::ranges::any_of(relations_of(object.id), [&](std::size_t r) {
                      const Relation& relation = scene_.relations[r];
                      const bool below = relation.type == R::kUnder || relation.type == R::kTuckedUnder;  // in a den
@@ -211,7 +212,7 @@ void RelationBuilder::settle_mount(std::size_t index) {
   if (held.ceiling || over) {
     object.mount = Mount::kCeiling;
     const CatalogEntry* form =
-        noun.exact && noun.entry->mount != Mount::kCeiling ? kind_at(catalog_, noun.entry->id, Place::kOnCeiling) : nullptr;
+        noun.exact && noun.entry->mount != Mount::kCeiling ? kind_at(catalog_, noun.entry->id, KinPlace::kOnCeiling) : nullptr;
     if (form != nullptr) {
       object.category = form->id;
     } else if (is_lamp(catalog_, noun) && mount_of(noun) != Mount::kCeiling)
@@ -231,7 +232,7 @@ void RelationBuilder::settle_mount(std::size_t index) {
   if (held.supported && mount_of(noun) == Mount::kFloor && is_carried(object.id)) {
     // A plant on a shelf is a small one.
     object.mount = Mount::kSurface;
-    const CatalogEntry* form = noun.exact ? kind_at(catalog_, noun.entry->id, Place::kOnThing) : nullptr;
+    const CatalogEntry* form = noun.exact ? kind_at(catalog_, noun.entry->id, KinPlace::kOnThing) : nullptr;
     if (form != nullptr) object.category = form->id;
     return;
   }
@@ -240,7 +241,7 @@ void RelationBuilder::settle_mount(std::size_t index) {
   object.mount = Mount::kFloor;
   object.mount_assumed = true;
   // "a lamp", "a reading lamp behind the armchair"
-  const CatalogEntry* form = noun.exact && is_lamp(catalog_, noun) ? kind_at(catalog_, noun.entry->id, Place::kOnFloor) : nullptr;
+  const CatalogEntry* form = noun.exact && is_lamp(catalog_, noun) ? kind_at(catalog_, noun.entry->id, KinPlace::kOnFloor) : nullptr;
   if (form != nullptr) object.category = form->id;
 }
 

@@ -91,7 +91,7 @@ void RelationBuilder::let_into_tops() {
 void RelationBuilder::let_in(int m, const CatalogEntry& host) {
   Mention& thing = document_.mentions[static_cast<std::size_t>(m)];
   if (thing.noun.entry == nullptr) return;
-  const CatalogEntry* form = kind_at(catalog_, thing.noun.entry->id, Place::kSetIn);
+  const CatalogEntry* form = kind_at(catalog_, thing.noun.entry->id, KinPlace::kSetIn);
   const auto fits = [&](const std::string& id) { return catalog_.is_a(host.id, id); };
   if (form != nullptr && std::ranges::none_of(form->stands_on, fits)) form = nullptr;
   // "a shelf with bins", "a desk with two screens"; "a sea chart on the table", which is none of the wall
@@ -121,7 +121,7 @@ bool RelationBuilder::says_over(const Link& link) const {
 // "a floor lamp lights up the armchair", "a desk lamp lights the desk": what stands is beside it or on it.
 void RelationBuilder::settle_lighting(PhraseSense& sense, const NounPhrase& lamp, const NounPhrase& lit) const {
   if (!is_lamp(catalog_, lamp) || !lamp.exact) return;
-  const bool hung = kind_at(catalog_, lamp.entry->id, Place::kOnCeiling) != nullptr;  // a lamp of any kind
+  const bool hung = kind_at(catalog_, lamp.entry->id, KinPlace::kOnCeiling) != nullptr;  // a lamp of any kind
   if (mount_of(lamp) == Mount::kFloor) {
     sense.type = mount_of(lit) == Mount::kFloor ? R::kNextTo : R::kNear;
   } else if (mount_of(lamp) == Mount::kSurface && !hung) {

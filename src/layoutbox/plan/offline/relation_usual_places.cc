@@ -228,7 +228,7 @@ void RelationBuilder::hang_bed_curtains() {
     const SceneObject* bed = round ? object_of(relation.references[0]) : nullptr;
     const CatalogEntry* entry = bed == nullptr ? nullptr : noun_of_object(*bed).entry;
     if (rod == scene_.objects.end() || entry == nullptr || !entry->is(Trait::kBed)) continue;
-    const CatalogEntry* form = kind_at(catalog_, rod->category, Place::kAroundBed);
+    const CatalogEntry* form = kind_at(catalog_, rod->category, KinPlace::kAroundBed);
     if (form == nullptr) continue;
     rod->category = form->id;
     relation.type = R::kNextTo;

@@ -153,11 +153,11 @@ class NicheReader {
 bool says(const Niche& niche, std::string_view wall) { return niche.walls.find(wall) != std::string::npos; }
 
 // Where it lies in a room of that size, within it or beyond its wall.
-struct Place {
+struct NichePlace {
   Point low, high;
 };
 
-Place place_of(const Niche& niche, Mm w, Mm d) {
+NichePlace place_of(const Niche& niche, Mm w, Mm d) {
   Mm along = mm_from_m(niche.width), across = mm_from_m(niche.depth);
   const bool side_wall = niche.walls == "left" || niche.walls == "right";
   if (side_wall) std::swap(along, across);

@@ -14,10 +14,10 @@ namespace {
 
 constexpr double kNear = 0.02;  // m; the table rounds feet
 
-using Said = std::array<std::optional<double>, 3>;  // width, depth, height in metres
+using ReadSize = std::array<std::optional<double>, 3>;  // width, depth, height in metres
 
-Said read_said(std::istream& words) {
-  Said said;
+ReadSize read_said(std::istream& words) {
+  ReadSize said;
   for (std::optional<double>& side : said) {
     std::string word;
     if (words >> word && word != "-") side = std::stod(word);
@@ -33,7 +33,7 @@ void expect_near(const std::optional<double>& wanted, Mm got, const std::string&
 
 void expect_room(const Room& room, const std::string& wanted) {
   std::stringstream words(wanted);
-  const Said said = read_said(words);
+  const ReadSize said = read_said(words);
   if (!said[0]) {
     EXPECT_TRUE(room.polygon.empty()) << "the room is given a size";
   } else {
@@ -50,7 +50,7 @@ void expect_thing(const SceneGraph& scene, const std::string& wanted) {
   std::stringstream words(wanted);
   std::string name;
   words >> name;
-  const Said said = read_said(words);
+  const ReadSize said = read_said(words);
   const auto object = std::ranges::find_if(scene.objects, [&](const SceneObject& o) { return o.name.ends_with(name); });
   ASSERT_NE(object, scene.objects.end()) << "no " << name;
   ASSERT_TRUE(object->size.has_value()) << name << " has no size";

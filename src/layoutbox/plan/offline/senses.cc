@@ -242,8 +242,7 @@ class SenseChooser {
     if (hung && says(R::kOn) && hooks) return own(R::kOnWall);
     // "three crates on the left wall": what stands on the floor is on that side, unless such things hang
     const bool stands = mount == Mount::kFloor && !reference_.wall_word.empty() &&
-                        kind_at(catalog_, target_.category, layoutbox::Place::kOnWall) == nullptr &&
-                        !one_of(target_.head, WordSet::kMayHang);
+                        kind_at(catalog_, target_.category, KinPlace::kOnWall) == nullptr && !one_of(target_.head, WordSet::kMayHang);
     if (says(R::kInFrontOf) || (hung && says(R::kOn) && (stands || is_heavy(catalog_, target_)))) return own(R::kAgainstWall);
     return std::nullopt;
   }

@@ -284,7 +284,7 @@ void Decoder::alone_of_room(std::size_t s, int u, std::size_t level, double gain
   // "a table with a laptop in the center": of the table; "a counter with a sink in the middle": let into it.
   const Referent host = host_of(state, member);
   const CatalogEntry* entry = noun_of(state, member).entry;
-  const bool let_in = entry != nullptr && kind_at(lexicon_.catalog(), entry->id, Place::kSetIn) != nullptr && is_thing(state, host) &&
+  const bool let_in = entry != nullptr && kind_at(lexicon_.catalog(), entry->id, KinPlace::kSetIn) != nullptr && is_thing(state, host) &&
                       noun_of(state, host).entry != nullptr && noun_of(state, host).entry->is(Trait::kCounter);
   const bool lies = says(senses, RelationType::kCenterOfRoom) &&
                     (mount_of(noun_of(state, member)) == Mount::kSurface || on_fronted || let_in || is_at_center_of_host(state, u, member));

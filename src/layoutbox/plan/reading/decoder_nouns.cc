@@ -259,7 +259,7 @@ double Decoder::habit_score(const State& state, int place, Referent subject, Ref
   // "a counter with a sink along the wall", "four stations with mirrors along it": the counter and the stations
   const bool along = word(place) == "along" && is_thing(state, host) && mount_of(noun_of(state, host)) == Mount::kFloor &&
                      (mount_of(target) == Mount::kWall || sense_.carries(noun_of(state, host), target) ||
-                      (target.entry != nullptr && kind_at(lexicon_.catalog(), target.entry->id, Place::kSetIn) != nullptr));
+                      (target.entry != nullptr && kind_at(lexicon_.catalog(), target.entry->id, KinPlace::kSetIn) != nullptr));
   if (along && is_place_of_room(by.kind)) score += weight::kSmallByPlace;
   // "a squat rack with barbell against the back wall": what is named barely goes with the rack
   const bool bare = target.determiner == Determiner::kNone && target.count == 0;

@@ -38,7 +38,7 @@ std::size_t Scribe::row_along_walls(const Link& link, int target, const NounPhra
   if (entry == nullptr || entry->mount != Mount::kFloor || !entry->back_to_wall) return 0;
   bool full = is_full_height(noun_of(target));
   for (std::size_t i = link.first; i < link.last; ++i) full |= lexicon_.is_in("full", document_.tokens[i].text);
-  const bool boards = says(link.senses, RelationType::kOnWall) && kind_at(lexicon_.catalog(), entry->id, Place::kOnWall) != nullptr;
+  const bool boards = says(link.senses, RelationType::kOnWall) && kind_at(lexicon_.catalog(), entry->id, KinPlace::kOnWall) != nullptr;
   if (boards && !full && !is_tall(noun_of(target))) return 0;
   const bool all = wall.determiner == Determiner::kBoth && document_.tokens[wall.first].text == "all";
   const bool every = (wall.determiner == Determiner::kEach || all) && walls_meant(wall) > kWalls;

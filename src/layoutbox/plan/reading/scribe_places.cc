@@ -264,7 +264,7 @@ void Scribe::add_named_contents(int u, int host) {
   if (noun.contents == nullptr || !is_thing(host) || !mention_at(host).introduces || !one_of(noun_of(host).head, WordSet::kStorageOf))
     return;
   NounPhrase things = *noun.contents;
-  if (const CatalogEntry* small = kind_at(lexicon_.catalog(), things.category, Place::kOnThing); small != nullptr)
+  if (const CatalogEntry* small = kind_at(lexicon_.catalog(), things.category, KinPlace::kOnThing); small != nullptr)
     things.entry = small, things.category = small->id;
   if (!may_carry(lexicon_.catalog(), noun_of(host), things)) return;
   const int content = references_.mention(things, -1, false);

@@ -115,7 +115,7 @@ bool UnitReader::is_placed_itself(std::size_t k) const {
 bool UnitReader::is_let_in(const NounPhrase& object) const {
   const Catalog& catalog = lexicon_.catalog();
   const std::size_t host = last_noun();
-  const CatalogEntry* form = object.entry == nullptr ? nullptr : kind_at(catalog, object.entry->id, Place::kSetIn);
+  const CatalogEntry* form = object.entry == nullptr ? nullptr : kind_at(catalog, object.entry->id, KinPlace::kSetIn);
   if (form == nullptr || host >= document_.chunks.size() || chunk(host).noun.entry == nullptr) return false;
   return std::ranges::any_of(form->stands_on, [&](const std::string& id) { return catalog.is_a(chunk(host).noun.entry->id, id); });
 }

@@ -45,8 +45,8 @@ Word read_word(std::string_view text, const Weights& weights) {
   return word;
 }
 
-Sentence read_sentence(std::span<const std::string_view> words, const Weights& weights) {
-  Sentence sentence;
+TaggedSentence read_sentence(std::span<const std::string_view> words, const Weights& weights) {
+  TaggedSentence sentence;
   sentence.words.reserve(words.size());
   sentence.likely_verbs.assign(1, 0);
   for (const std::string_view word : words) {
@@ -66,7 +66,7 @@ bool is_finite(std::uint8_t tag) {
   return t == Tag::kVBZ || t == Tag::kVBP || t == Tag::kVBD || t == Tag::kMD || t == Tag::kVB;
 }
 
-void look_ahead(Sentence& sentence) {
+void look_ahead(TaggedSentence& sentence) {
   const std::size_t size = sentence.words.size();
   const auto fill = [&](std::vector<int>& next, auto&& is) {
     next.assign(size + 1, static_cast<int>(size));

@@ -35,7 +35,7 @@ Word read_word(std::string_view text, const Weights& weights);
 // What is before the first word, after the last, and nothing at all (no child, nothing on the stack).
 inline constexpr std::uint64_t kBefore = 11, kAfter = 12, kNothing = 13;
 
-struct Sentence {
+struct TaggedSentence {
   std::vector<Word> words;
   std::vector<std::uint8_t> tags;
   std::vector<int> likely_verbs;  // how many words before each place (and the end) are mostly verbs, in a finite form
@@ -47,10 +47,10 @@ struct Sentence {
   int size() const { return static_cast<int>(words.size()); }
 };
 
-Sentence read_sentence(std::span<const std::string_view> words, const Weights& weights);
+TaggedSentence read_sentence(std::span<const std::string_view> words, const Weights& weights);
 
 // Fills next_noun … from the tags.
-void look_ahead(Sentence& sentence);
+void look_ahead(TaggedSentence& sentence);
 
 bool is_noun(std::uint8_t tag);
 bool is_finite(std::uint8_t tag);

@@ -30,7 +30,7 @@ std::uint64_t sense_of(const Word& word, std::uint8_t tag) {
   return 1;
 }
 
-void fill_role(const Sentence& sentence, const ParserState& state, Role role, int place, Atoms& atoms) {
+void fill_role(const TaggedSentence& sentence, const ParserState& state, Role role, int place, Atoms& atoms) {
   std::uint64_t* facets = atoms.data() + at(role, kWord);
   if (place < 0 || place >= sentence.size()) {
     std::fill_n(facets, kFacets, place < 0 ? kNothing : kAfter);
@@ -70,7 +70,7 @@ int preposition_child(const ParserState& state, int place) {
   return child >= 0 && state.arc_of(child) == Arc::kPrep ? child : -1;
 }
 
-void fill_counts(const Sentence& sentence, const ParserState& state, Atoms& atoms) {
+void fill_counts(const TaggedSentence& sentence, const ParserState& state, Atoms& atoms) {
   const int s0 = state.top(0), s1 = state.top(1), s2 = state.top(2), b0 = state.next();
   const auto count = [](int n) { return static_cast<std::uint64_t>(std::min(n, 3)); };
   atoms[kSDist] = s1 < 0 ? 9 : distance(s1, s0);
@@ -96,7 +96,7 @@ void fill_counts(const Sentence& sentence, const ParserState& state, Atoms& atom
       p0 >= 0 && p1 >= 0 ? 1 + (sentence.words[static_cast<std::size_t>(p0)].key == sentence.words[static_cast<std::size_t>(p1)].key) : 0;
 }
 
-void fill_ahead(const Sentence& sentence, const ParserState& state, Atoms& atoms) {
+void fill_ahead(const TaggedSentence& sentence, const ParserState& state, Atoms& atoms) {
   const auto b0 = static_cast<std::size_t>(state.next());
   const int n = sentence.size();
   const int noun = sentence.next_noun[b0], verb = sentence.next_verb[b0], pause = sentence.next_break[b0];
@@ -116,7 +116,7 @@ void fill_ahead(const Sentence& sentence, const ParserState& state, Atoms& atoms
   atoms[kVerbBelow] = below;
 }
 
-void fill_atoms(const Sentence& sentence, const ParserState& state, Atoms& atoms) {
+void fill_atoms(const TaggedSentence& sentence, const ParserState& state, Atoms& atoms) {
   const int s0 = state.top(0), s1 = state.top(1), b0 = state.next(), n = sentence.size();
   const auto fill = [&](Role role, int place) { fill_role(sentence, state, role, place, atoms); };
   fill(kS0R, s0);
@@ -166,13 +166,13 @@ constexpr std::array kLabelTemplates = {
 
 }  // namespace
 
-void step_features(const Sentence& sentence, const ParserState& state, Features& features) {
+void step_features(const TaggedSentence& sentence, const ParserState& state, Features& features) {
   Atoms atoms{};
   fill_atoms(sentence, state, atoms);
   combine(atoms, kStepTemplates, 0x89abcdef, features);
 }
 
-void label_features(const Sentence& sentence, const ParserState& state, ParserStep step, Features& features) {
+void label_features(const TaggedSentence& sentence, const ParserState& state, ParserStep step, Features& features) {
   // The head plays the part of the second word on the stack, whichever side it is on.
   Atoms atoms{};
   const int child = state.dependent(step), above = state.head(step);

@@ -9,7 +9,7 @@
 namespace layoutbox::syntax {
 namespace {
 
-void find_tags(Sentence& sentence, const Weights& weights, Features& features) {
+void find_tags(TaggedSentence& sentence, const Weights& weights, Features& features) {
   sentence.tags.assign(sentence.words.size(), 0);
   for (int i = 0; i < sentence.size(); ++i) {
     std::array<int, kTags> scores{};
@@ -20,12 +20,12 @@ void find_tags(Sentence& sentence, const Weights& weights, Features& features) {
   look_ahead(sentence);
 }
 
-struct Choice {
+struct StepChoice {
   ParserStep step = ParserStep::kShift;
   float margin = 0;  // how much better than the next best; large where nothing else is allowed
 };
 
-Choice choose_step(const Sentence& sentence, const ParserState& state, const Weights& weights, Features& features) {
+StepChoice choose_step(const TaggedSentence& sentence, const ParserState& state, const Weights& weights, Features& features) {
   std::array<int, kSteps> scores{};
   step_features(sentence, state, features);
   weights.add(WeightTable::kStep, features, scores);
@@ -47,7 +47,7 @@ Choice choose_step(const Sentence& sentence, const ParserState& state, const Wei
           second == kLowest ? kSure : static_cast<float>(first - second) * weights.scale(WeightTable::kStep)};
 }
 
-Arc choose_label(const Sentence& sentence, const ParserState& state, ParserStep step, const Weights& weights, Features& features) {
+Arc choose_label(const TaggedSentence& sentence, const ParserState& state, ParserStep step, const Weights& weights, Features& features) {
   if (state.head(step) == sentence.size()) return Arc::kRoot;
   std::array<int, kArcs> scores{};
   label_features(sentence, state, step, features);
@@ -62,13 +62,13 @@ std::vector<TreeNode> parse(std::span<const std::string_view> words) { return pa
 
 std::vector<TreeNode> parse_with(const Weights& weights, std::span<const std::string_view> words) {
   Features features;
-  Sentence sentence = read_sentence(words, weights);
+  TaggedSentence sentence = read_sentence(words, weights);
   find_tags(sentence, weights, features);
   ParserState state(sentence.size());
   std::vector<TreeNode> nodes(words.size());
   std::vector<float> margins(words.size(), std::numeric_limits<float>::max());
   while (!state.done()) {
-    const Choice choice = choose_step(sentence, state, weights, features);
+    const StepChoice choice = choose_step(sentence, state, weights, features);
     const int child = state.dependent(choice.step);
     // A shift decides for the word before it too: that word stays open.
     for (const int about : {state.top(0), child}) {

@@ -17,12 +17,12 @@ namespace {
 
 // A phrase, and what must be found in it, divided by spaces: "lights/VBZ" (a tag), "on>lamp" (a head; >. none), "nsubj:lamp>stands" (label
 // too), words being found from the left; "a2" is the second "a".
-struct Case {
+struct SyntaxCase {
   const char* text;
   const char* found;
 };
 
-void PrintTo(const Case& example, std::ostream* out) { *out << example.text; }
+void PrintTo(const SyntaxCase& example, std::ostream* out) { *out << example.text; }
 
 struct Parsed {
   std::vector<std::string> words;
@@ -76,7 +76,7 @@ std::vector<std::string> split_claims(const std::string& text) {
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
-class SyntaxTable : public testing::TestWithParam<Case> {};
+class SyntaxTable : public testing::TestWithParam<SyntaxCase> {};
 
 TEST_P(SyntaxTable, TagsAndHeads) {
   const Parsed parsed = parse_text(GetParam().text);
@@ -87,29 +87,30 @@ TEST_P(SyntaxTable, TagsAndHeads) {
 INSTANTIATE_TEST_SUITE_P(
     Phrases, SyntaxTable,
     testing::Values(
-        Case{"The lamp lights the desk.", "lights/VBZ nsubj:lamp>lights dobj:desk>lights"},
-        Case{"A light hangs above the table.", "light/NN hangs/VBZ nsubj:light>hangs above>hangs pobj:table>above"},
-        Case{"Plants line the wall.", "plants/NNS line/VBP dobj:wall>line"},
-        Case{"A desk faces the window.", "desk/NN faces/VBZ nsubj:desk>faces dobj:window>faces"},
-        Case{"A bookshelf holding books stands behind the sofa.",
-             "acl:holding>bookshelf dobj:books>holding nsubj:bookshelf>stands behind>stands"},
-        Case{"A bookshelf filled with books occupies the far wall.",
-             "acl:filled>bookshelf nsubj:bookshelf>occupies dobj:wall>occupies amod:far>wall"},
-        Case{"There is a lamp on the desk.", "attr:lamp>is expl:there>is pobj:desk>on"},
-        Case{"On the table a bowl sits next to a jar, and a mug rests beside a tray.",
-             "on>sits nsubj:bowl>sits next>sits to>next pobj:jar>to nsubj:mug>rests conj:rests>sits beside>rests pobj:tray>beside"},
-        Case{"Place the bed against the left wall and the wardrobe against the right wall.",
-             "place/VB dobj:bed>place against>place conj:wardrobe>place against2>wardrobe wall2>against2"},
-        Case{"A bedroom with a bed, a desk and a chair.", "bedroom>. pobj:bed>with conj:desk>bed conj:chair>desk"},
-        Case{"A bed is flanked by two nightstands.", "nsubjpass:bed>flanked agent:by>flanked pobj:nightstands>by nummod:two>nightstands"},
-        Case{"A table surrounded by four chairs stands in the center of the room.",
-             "acl:surrounded>table pobj:chairs>by nsubj:table>stands in>stands of>center pobj:room>of"},
-        Case{"To the left of the bed is a nightstand.", "to>is pobj:left>to of>left pobj:bed>of"},
-        Case{"A mirror hangs on the wall above the dresser.", "nsubj:mirror>hangs on>hangs pobj:wall>on pobj:dresser>above"},
-        Case{"A table that seats six stands in the corner.",
-             "seats/VBZ relcl:seats>table dobj:six>seats stands/VBZ nsubj:table>stands in>stands"},
-        Case{"The sofa faces a TV mounted on the wall.", "nsubj:sofa>faces dobj:tv>faces acl:mounted>tv on>mounted"},
-        Case{"I want a desk next to the window.", "nsubj:i>want dobj:desk>want to>next pobj:window>to"}));
+        SyntaxCase{"The lamp lights the desk.", "lights/VBZ nsubj:lamp>lights dobj:desk>lights"},
+        SyntaxCase{"A light hangs above the table.", "light/NN hangs/VBZ nsubj:light>hangs above>hangs pobj:table>above"},
+        SyntaxCase{"Plants line the wall.", "plants/NNS line/VBP dobj:wall>line"},
+        SyntaxCase{"A desk faces the window.", "desk/NN faces/VBZ nsubj:desk>faces dobj:window>faces"},
+        SyntaxCase{"A bookshelf holding books stands behind the sofa.",
+                   "acl:holding>bookshelf dobj:books>holding nsubj:bookshelf>stands behind>stands"},
+        SyntaxCase{"A bookshelf filled with books occupies the far wall.",
+                   "acl:filled>bookshelf nsubj:bookshelf>occupies dobj:wall>occupies amod:far>wall"},
+        SyntaxCase{"There is a lamp on the desk.", "attr:lamp>is expl:there>is pobj:desk>on"},
+        SyntaxCase{"On the table a bowl sits next to a jar, and a mug rests beside a tray.",
+                   "on>sits nsubj:bowl>sits next>sits to>next pobj:jar>to nsubj:mug>rests conj:rests>sits beside>rests pobj:tray>beside"},
+        SyntaxCase{"Place the bed against the left wall and the wardrobe against the right wall.",
+                   "place/VB dobj:bed>place against>place conj:wardrobe>place against2>wardrobe wall2>against2"},
+        SyntaxCase{"A bedroom with a bed, a desk and a chair.", "bedroom>. pobj:bed>with conj:desk>bed conj:chair>desk"},
+        SyntaxCase{"A bed is flanked by two nightstands.",
+                   "nsubjpass:bed>flanked agent:by>flanked pobj:nightstands>by nummod:two>nightstands"},
+        SyntaxCase{"A table surrounded by four chairs stands in the center of the room.",
+                   "acl:surrounded>table pobj:chairs>by nsubj:table>stands in>stands of>center pobj:room>of"},
+        SyntaxCase{"To the left of the bed is a nightstand.", "to>is pobj:left>to of>left pobj:bed>of"},
+        SyntaxCase{"A mirror hangs on the wall above the dresser.", "nsubj:mirror>hangs on>hangs pobj:wall>on pobj:dresser>above"},
+        SyntaxCase{"A table that seats six stands in the corner.",
+                   "seats/VBZ relcl:seats>table dobj:six>seats stands/VBZ nsubj:table>stands in>stands"},
+        SyntaxCase{"The sofa faces a TV mounted on the wall.", "nsubj:sofa>faces dobj:tv>faces acl:mounted>tv on>mounted"},
+        SyntaxCase{"I want a desk next to the window.", "nsubj:i>want dobj:desk>want to>next pobj:window>to"}));
 
 // What people write and nothing was learned from: most of it must be right, and what is not is listed.
 TEST(Syntax, Claims) {

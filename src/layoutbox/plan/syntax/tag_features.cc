@@ -9,7 +9,7 @@ struct Near {
   std::uint64_t key, parts, group, coarse;
 };
 
-Near near_word(const Sentence& sentence, int place) {
+Near near_word(const TaggedSentence& sentence, int place) {
   if (place < 0) return {kBefore, kBefore, kBefore, kBefore};
   if (place >= sentence.size()) return {kAfter, kAfter, kAfter, kAfter};
   const Word& word = sentence.words[static_cast<std::size_t>(place)];
@@ -31,7 +31,7 @@ constexpr std::array kTagTemplates = {
 
 }  // namespace
 
-void tag_features(const Sentence& sentence, int word, Features& features) {
+void tag_features(const TaggedSentence& sentence, int word, Features& features) {
   std::array<std::uint64_t, kTagAtoms> atoms{};
   const Near near[6] = {near_word(sentence, word - 2), near_word(sentence, word - 1), near_word(sentence, word),
                         near_word(sentence, word + 1), near_word(sentence, word + 2), near_word(sentence, word + 3)};

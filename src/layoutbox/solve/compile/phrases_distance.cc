@@ -48,14 +48,14 @@ Heights heights_between(const PlacementModel& model, ItemId t, const Place& r, M
 
 namespace {
 
-struct Pair {
+struct PartPair {
   PartPlace t, r;
 };
 
 // Pairs of places within t and r, one of which is as near as need be: corners meet what is no corner.
-std::vector<Pair> pairs_of_parts(const PlacementModel& model, ItemId t, const Place& r, std::uint64_t t_states) {
+std::vector<PartPair> pairs_of_parts(const PlacementModel& model, ItemId t, const Place& r, std::uint64_t t_states) {
   const std::vector<PartPlace> references = r.item.exists() ? parts_of(model, r.item) : std::vector<PartPlace>{{r, 0}};
-  std::vector<Pair> pairs;
+  std::vector<PartPair> pairs;
   for (const PartPlace& own : parts_of(model, t)) {
     for (const PartPlace& other : references) {
       if ((own.states & t_states) && !(own.corner && other.corner)) pairs.push_back({own, other});
@@ -127,7 +127,7 @@ void add_within(std::vector<Case>& cases, Case base, const PlacementModel& model
     limit.add(cases, base, place_of(t), r);
     return;
   }
-  for (const Pair& pair : pairs_of_parts(model, t, r, t_states)) {
+  for (const PartPair& pair : pairs_of_parts(model, t, r, t_states)) {
     Case c = base;
     if (pair.t.states != model.items[t].all_states) c.when(t, pair.t.states);
     if (r.item.exists() && pair.r.states != model.items[r.item].all_states) c.when(r.item, pair.r.states);

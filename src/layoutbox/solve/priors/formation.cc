@@ -97,7 +97,7 @@ Formation formation_of(int n, const Size& size, Mm gap_across, Mm gap_deep, Mm r
 namespace {
 
 // The end of the room where the counter stands, which looks that way in those of its states.
-struct Taken {
+struct CounterEnd {
   std::uint64_t states = 0;
   Direction front{0, 1};
   Mm depth = 0;
@@ -110,7 +110,7 @@ class FormationPlace {
       : f_(formula), model_(model), of_(of), item_(of.group[of.k]), first_(model.items[of.group[0]]) {}
 
   // `ahead`: which way along the columns they look. `aside`: what the words call a column is a row to those who stand in it.
-  void add(int row_axis, std::uint64_t states, int ahead, bool aside, const Taken& taken = {}) {
+  void add(int row_axis, std::uint64_t states, int ahead, bool aside, const CounterEnd& taken = {}) {
     const int n = static_cast<int>(of_.group.size()), deep_axis = 1 - row_axis;
     const Mm deep = extent(deep_axis, taken), free = looks(ahead) ? std::min(of_.before, deep / 3) : 0;
     const Formation form = form_in(extent(row_axis, taken), deep - free, ahead, aside);
@@ -160,7 +160,7 @@ class FormationPlace {
   bool seats() const { return first_.is_seat && first_.has_front; }
   Mm ends() const { return seats() || first_.thin || of_.seats > 0 ? kBehindSeats : kWayAround; }
 
-  Mm extent(int axis, const Taken& taken) const {
+  Mm extent(int axis, const CounterEnd& taken) const {
     return hi_of(model_, of_.part, axis) - lo_of(model_, of_.part, axis) - (axis == taken.front.axis ? taken.depth : 0);
   }
 

@@ -22,20 +22,20 @@ constexpr std::size_t kDifferentThings = 4;
 
 bool named(const std::vector<std::string>& ids, const std::string& id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); }
 
-struct Pose {
+struct EarlierPose {
   Size size;
   std::array<double, 3> position{};
   double rotation = 0;
 };
 
 // Where the object was: in the earlier layout, or, for what is to be locked, where the scene has it.
-std::optional<Pose> pose_of(const ModelOptions& options, const Item& item) {
+std::optional<EarlierPose> pose_of(const ModelOptions& options, const Item& item) {
   if (item.is_opening() || item.fixed || named(options.freed, item.id)) return std::nullopt;
   if (const PlacedObject* earlier = options.from ? options.from->find_object(item.id) : nullptr)
-    return Pose{earlier->size, earlier->position, earlier->rotation_deg};
+    return EarlierPose{earlier->size, earlier->position, earlier->rotation_deg};
   const PoseHint& hint = item.object->hint;
   if (!named(options.locked, item.id) || !hint.position) return std::nullopt;
-  return Pose{item.object->size->usual, *hint.position, hint.rotation_deg.value_or(0)};
+  return EarlierPose{item.object->size->usual, *hint.position, hint.rotation_deg.value_or(0)};
 }
 
 bool between(Mm least, Mm length, Mm greatest) { return length >= least - 1 && length <= greatest + 1; }
@@ -59,7 +59,7 @@ Mm difference(const Size& a, const Size& b) {
   return std::abs(a.width - b.width) + std::abs(a.depth - b.depth) + std::abs(a.height - b.height);
 }
 
-Placement start_of(const Item& item, const Pose& pose) {
+Placement start_of(const Item& item, const EarlierPose& pose) {
   std::vector<int> turns;
   for (const State& state : item.states) turns.push_back(state.turn);
   const std::optional<int> turn = same_turn(turns, whole_turn(pose.rotation), item.has_front || item.mount != Mount::kFloor);
@@ -172,7 +172,7 @@ void add_lock(PlacementModel& model, ItemId index) {
 }  // namespace
 
 void add_earlier_pose(const ModelOptions& options, Item& item, std::vector<std::pair<Size, int>>& sizes, std::vector<int>& turns) {
-  const std::optional<Pose> pose = pose_of(options, item);
+  const std::optional<EarlierPose> pose = pose_of(options, item);
   if (!pose) return;
   if (named(options.locked, item.id)) {
     sizes.assign(1, {pose->size, 0});
@@ -195,7 +195,7 @@ Status find_starts(PlacementModel& model, const ModelOptions& options) {
     if (item.is_opening()) {
       const Opening* earlier = options.from ? options.from->find_opening(item.id) : nullptr;
       if (earlier && !item.opening->offset && !named(options.freed, item.id)) model.start[i] = start_of_opening(model, item, *earlier);
-    } else if (const std::optional<Pose> pose = pose_of(options, item)) {
+    } else if (const std::optional<EarlierPose> pose = pose_of(options, item)) {
       model.start[i] = start_of(item, *pose);
     }
   }

@@ -33,7 +33,7 @@ std::optional<Point> crossing_of(const Line& p, const Line& q, const Region& reg
 constexpr std::size_t kMostCrossings = 60, kAcross = 8;
 
 // The lines of a region before slanted walls: the edges of what is allowed, and what may cross them.
-struct Lines {
+struct RegionLines {
   Mm z = 0;
   std::vector<Line> edges, others;
 
@@ -94,7 +94,7 @@ struct Lines {
 // Before a slanted wall: where the edge of what is allowed meets what is wished, what stands there, and some lines across.
 std::vector<Point> CandidateFinder::crossings(const Placements& placements, ItemId item, int state, const Region& region,
                                               const std::array<std::vector<Mm>, 3>& grid, Budget& budget) const {
-  Lines lines{region.lo[2], {}, {}};
+  RegionLines lines{region.lo[2], {}, {}};
   lines.add_edges(region);
   if (lines.edges.empty()) return {};
   for (const Reduced* one : region.cases) lines.add_wishes(one->wishes);
