@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Checks that no folder under src/layoutbox/ includes one above it, or a sibling on its own floor, and that no two types at file level share a name.
+"""Checks that no folder under src/layoutbox/ includes one above it, or a sibling on its own floor, and that no two types at
+file level share a name.
 
 usage: scripts/check_layers.py [SOURCE_FOLDER]      (default: src/layoutbox of this repository)
 Prints one line per fault, with the place; exit status 1 where there is any.
@@ -76,7 +77,7 @@ def faults(source):
 
 
 def types_of(text):
-    """Name and offset of each type at file level, and whether it is an alias; one that keeps the last name of what it stands for is none."""
+    """Name and offset of each type at file level, and whether it is an alias; one that keeps the name of what it stands for is none."""
     for match in TYPE.finditer(text):
         yield match.group(1), match.start(1), False
     for match in ALIAS.finditer(text):

@@ -108,11 +108,34 @@ class SaidBack(model_case.ModelCase):
                 self.assert_done(run)
                 self.assert_no_key(run)
 
+    def assert_nothing_of_it(self, text):
+        """Neither the key nor a good part of it, whatever stands between its letters."""
+        bare = "".join(filter(str.isalnum, text))
+        self.assertNotIn("".join(filter(str.isalnum, KEY))[:13], bare, text)
+
     def test_cut_by_the_length_of_a_message(self):
         words = "x" * 240 + " " + KEY
-        with FaultServer([fault.status(400, words)]) as server:
-            run = self.plan(server)
-        self.assertNotIn(KEY[:12], run.err + run.out)
+        for body in (json.dumps({"error": {"message": words}}), json.dumps({"error": {"message": words}}).replace("-", "\\u002d")):
+            with FaultServer([fault.raw(400, body)]) as server:
+                run = self.plan(server)
+            self.assert_nothing_of_it(run.err + run.out)
+
+    def test_split_by_signs(self):
+        for words in ("-".join(KEY), " ".join(KEY), "\n".join(KEY), ".\n".join(KEY[i : i + 5] for i in range(0, len(KEY), 5))):
+            with FaultServer([fault.status(401, f"no, {words} is wrong")]) as server:
+                run = self.plan(server)
+            self.assertIn("no, [key] is wrong", run.err)
+            self.assert_nothing_of_it(run.err + run.out)
+
+    def test_in_pieces_of_a_stream(self):
+        data = fault.events(fault.call("create_scene", self.scene_named(KEY)), piece=3)
+        with FaultServer([fault.stream(data, 1000)]) as server:
+            run = self.generate(server, "--stream")
+            self.assert_done(run)
+            self.assert_no_key(run)
+        for kept in self.folder.rglob("*"):
+            if kept.is_file():
+                self.assertNotIn(b"delta", kept.read_bytes(), f"{kept}: the stream as it came")
 
 
 class UsersPrices(model_case.ModelCase):

@@ -51,7 +51,7 @@ Capacity capacity_seen(const Response& answer, const Request& asked, Capacity kn
 
 // Such an answer would come again, and a later run may read it.
 bool worth_keeping(const Response& answer) {
-  return answer.refusal.empty() && answer.finish_reason != "length" && answer.finish_reason != "content_filter";
+  return !answer.body.empty() && answer.refusal.empty() && answer.finish_reason != "length" && answer.finish_reason != "content_filter";
 }
 
 }  // namespace
@@ -162,7 +162,10 @@ Result<Response> ChatClient::exchange(const Request& question, Exchange& so_far)
     const Clock::time_point sent = Clock::now();
     auto response = http_.post(http_request(so_far), options_.stop);
     so_far.waited_s += seconds_since(sent);
-    if (response) response->body = safe(std::move(response->body));  // some servers say the key back
+    if (response) {  // some servers say the key back
+      response->body = safe(std::move(response->body));
+      response->location = safe(std::move(response->location));
+    }
 
     Problem problem;
     if (!response) {
@@ -171,15 +174,14 @@ Result<Response> ChatClient::exchange(const Request& question, Exchange& so_far)
     } else if (response->status >= 200 && response->status < 300) {
       ReadResponse read = provider().read_response(*response);
       if (read.kind == ReadResponse::Kind::kResponse) {
-        for (Call& call : read.answer.calls) call.arguments = safe_json(std::move(call.arguments));
-        read.answer.content = safe_json(safe(std::move(read.answer.content)));
-        read.answer.refusal = safe(std::move(read.answer.refusal));
-        read.answer.body = std::move(response->body);
+        // What still held the key once it was read has it in escapes or in pieces of a stream: such a body is not kept.
+        if (!clean(read.answer)) read.answer.body = std::move(response->body);
         return std::move(read.answer);
       }
+      read.error = safe(std::move(read.error));
       problem = problem_of(read, *response, options_.endpoint);
     } else {
-      const ServerError error = provider().read_error(response->body);
+      const ServerError error = safe(provider().read_error(response->body));
       if (so_far.adaptations < kMostAdaptations && adapt(response->status, error, question)) {
         ++so_far.adaptations;
         continue;
@@ -211,6 +213,25 @@ std::string ChatClient::safe_json(std::string text) const {
   const std::string plain = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   const std::string clean = safe(plain);
   return clean == plain ? text : clean;
+}
+
+// Before a message is cut, which may leave half a key.
+ServerError ChatClient::safe(ServerError error) const {
+  error.message = safe(std::move(error.message));
+  return error;
+}
+
+// Whether the answer held the key.
+bool ChatClient::clean(Response& answer) const {
+  bool held = false;
+  const auto put = [&held](std::string& text, std::string cleaned) {
+    held = held || cleaned != text;
+    text = std::move(cleaned);
+  };
+  for (Call& call : answer.calls) put(call.arguments, safe_json(call.arguments));
+  put(answer.content, safe_json(safe(answer.content)));
+  put(answer.refusal, safe(answer.refusal));
+  return held;
 }
 
 Status ChatClient::wait(double seconds, const std::string& why) const {

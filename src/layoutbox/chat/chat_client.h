@@ -66,6 +66,8 @@ class ChatClient {
   Status wait(double seconds, const std::string& why) const;
   std::string safe(std::string text) const { return without_key(std::move(text), options_.endpoint); }
   std::string safe_json(std::string text) const;
+  ServerError safe(ServerError error) const;
+  bool clean(Response& answer) const;
   const Provider& provider() const { return *options_.endpoint.provider; }
   std::string url() const { return provider().url(options_.endpoint); }
   std::string written(const Request& request, const Capabilities& capabilities) const {

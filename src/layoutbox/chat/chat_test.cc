@@ -101,7 +101,18 @@ TEST(Key, shows_neither_broken_nor_in_base64) {
     const std::string shown = without_key(base64(before + endpoint.key + ":pass"), endpoint);
     EXPECT_THAT(shown, testing::HasSubstr("[key]")) << before;
   }
-  EXPECT_EQ(without_key("skill 0123456789abcdef", endpoint), "skill 0123456789abcdef");
+  EXPECT_EQ(without_key("skill 0123-4567", endpoint), "skill 0123-4567");
+}
+
+TEST(Key, shows_neither_split_by_signs_nor_in_pieces) {
+  const Endpoint endpoint{"https://x/v1", "m", "sk-0123456789abcdef_GHIJ+klmn"};
+  for (const std::string shown : {"sk-0123-4567-89ab-cdef-GHIJ-klmn", "s k 0 1 2 3 4 5 6 7 8 9 a b c d e f G H I J k l m n",
+                                  "sk0123\n456789\r\n\tabcdef/GHIJ.klmn", "sk\u00a001234\u200b56789abcdef\u2010GHIJklmn"}) {
+    EXPECT_EQ(without_key("a <" + shown + "> b", endpoint), "a <[key]> b") << shown;
+  }
+  EXPECT_EQ(without_key("begins with sk-0123456789ab, ends in cdef_GHIJ+klmn", endpoint), "begins with [key], ends in [key]");
+  EXPECT_EQ(without_key("begins with sk-0123, ends in klmn", endpoint), "begins with sk-0123, ends in klmn") << "servers say so";
+  EXPECT_EQ(without_key("{\"x\": [0, 1, 2, 3, 4, 5, 6]}", endpoint), "{\"x\": [0, 1, 2, 3, 4, 5, 6]}");
 }
 
 TEST(Key, that_is_no_secret_is_left_alone) {

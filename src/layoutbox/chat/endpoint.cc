@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "layoutbox/base/bytes.h"
 #include "layoutbox/base/plain_text.h"
 #include "layoutbox/base/utf8.h"
 #include "layoutbox/chat/provider.h"
+#include "layoutbox/chat/redaction.h"
 
 namespace layoutbox::chat {
 namespace {
@@ -40,33 +40,6 @@ std::string_view host_of(std::string_view url) {
   const std::string_view authority = authority_of(url);
   if (authority.starts_with('[')) return authority.substr(1, authority.find(']') - 1);
   return authority.substr(0, authority.find(':'));
-}
-
-// Where a secret that begins at `begin` ends, blanks and line ends within it left out of account; 0 where none does.
-std::size_t end_of_secret(std::string_view text, std::size_t begin, std::string_view secret) {
-  std::size_t at = begin, matched = 0;
-  for (; at < text.size() && matched < secret.size(); ++at) {
-    if (text[at] == secret[matched]) {
-      ++matched;
-    } else if (matched == 0 || static_cast<unsigned char>(text[at]) > ' ') {
-      return 0;
-    }
-  }
-  return matched == secret.size() ? at : 0;
-}
-
-std::string without_secret(std::string text, std::string_view secret) {
-  constexpr std::string_view kInstead = "[key]";
-  for (std::size_t at = text.find(secret.front()); at != std::string::npos; at = text.find(secret.front(), at)) {
-    const std::size_t end = end_of_secret(text, at, secret);
-    if (end == 0) {
-      ++at;
-      continue;
-    }
-    text.replace(at, end - at, kInstead);
-    at += kInstead.size();
-  }
-  return text;
 }
 
 // The one that was named, else the one whose own address was, else OpenAI's.
@@ -128,15 +101,8 @@ Status check_key(const Endpoint& endpoint) {
 }
 
 std::string without_key(std::string text, const Endpoint& endpoint) {
-  const std::string& key = endpoint.key;
-  if (key.size() < kShortestSecret) return text;
-  text = without_secret(std::move(text), key);
-  for (std::size_t before = 0; before < 3; ++before) {  // bytes of a group of three that stand before it
-    const std::string encoded = base64(std::string(before, '\0') + key);
-    const std::size_t begin = (before * 8 + 5) / 6, end = (before + key.size()) * 8 / 6;
-    text = without_secret(std::move(text), std::string_view(encoded).substr(begin, end - begin));
-  }
-  return text;
+  if (endpoint.key.size() < kShortestSecret) return text;
+  return without_secret(text, endpoint.key);
 }
 
 std::string one_line(std::string_view text, std::size_t most) {

@@ -38,7 +38,7 @@ Status check_key(const Endpoint& endpoint);
 // Servers at home take any word for a key ("x", "none"): what is shorter than this is no secret.
 inline constexpr std::size_t kShortestSecret = 8;
 
-// The text without the key, wherever it stands in it: plain, broken over lines, in base64. As it is where the key is no secret.
+// The text without the key, however it stands in it (redaction.h). As it is where the key is no secret.
 std::string without_key(std::string text, const Endpoint& endpoint);
 
 // Text of a server for people: one line without control characters, at most `most` bytes, cut between characters.
