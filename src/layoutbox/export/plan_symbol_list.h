@@ -40,6 +40,7 @@ void draw_laptop(Pen& pen, const PlacedObject& object);
 void draw_glass_case(Pen& pen, const PlacedObject& object);
 void draw_round_thing(Pen& pen, const PlacedObject& object);
 void draw_pool_table(Pen& pen, const PlacedObject& object);
+void draw_boxing_ring(Pen& pen, const PlacedObject& object);
 void draw_net_table(Pen& pen, const PlacedObject& object);
 void draw_roof_slope(Pen& pen, const PlacedObject& object);
 

@@ -54,6 +54,7 @@ constexpr SymbolRow kSymbols[] = {
     {"round_thing", draw_round_thing},
     {"pool_table", draw_pool_table},
     {"net_table", draw_net_table},
+    {"boxing_ring", draw_boxing_ring},
     {"roof_slope", draw_roof_slope},
 };
 

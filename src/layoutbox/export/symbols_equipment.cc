@@ -226,6 +226,21 @@ void draw_pool_table(Pen& pen, const PlacedObject&) {
   }
 }
 
+// A canvas with a post in each corner and a rope round it.
+void draw_boxing_ring(Pen& pen, const PlacedObject&) {
+  const double w = pen.w() / 2, d = pen.d() / 2, post = 0.06 * std::min(w, d);
+  pen.style.fill = "#c9d2de";
+  pen.outline();
+  pen.style.fill = "#f4f1ea";
+  pen.box(-w + post, w - post, -d + post, d - post);
+  for (const double x : {-1.0, 1.0}) {
+    for (const double y : {-1.0, 1.0}) {
+      pen.style.fill = x * y < 0 ? "#ffffff" : x > 0 ? "#d9665e" : "#6d8fc4";
+      pen.ellipse(x * (w - post), y * (d - post), post, post);
+    }
+  }
+}
+
 void draw_net_table(Pen& pen, const PlacedObject&) {
   const double w = pen.w() / 2, d = pen.d() / 2;
   pen.style.fill = "#cfdfea";

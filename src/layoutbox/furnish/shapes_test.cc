@@ -197,5 +197,19 @@ TEST(Shapes, EaselsShowAPaintingWhereContentsAreDrawn) {
   EXPECT_GT(with->nodes.front().parts.size(), without->nodes.front().parts.size());
 }
 
+// Things drawn alike may share a family, but nothing is drawn as what it is not.
+TEST(Shapes, ABoxingRingHasRopesAndACribHasNone) {
+  for (const CatalogEntry& entry : Catalog::builtin().entries()) {
+    if (entry.shape.family == "crib") {
+      EXPECT_TRUE(entry.is(Trait::kBed) || entry.id == "playpen") << entry.id;
+    }
+  }
+  const CatalogEntry& ring = *Catalog::builtin().find("boxing_ring");
+  const auto corners = [&](double ropes) { return corners_of(with_number(ring, "ropes", ropes), true).size(); };
+  EXPECT_EQ(corners(4) - corners(3), corners(3) - corners(2)) << "each rope adds as much";
+  EXPECT_GT(corners(3), corners(2));
+  EXPECT_FALSE(shapes().families.at("crib").numbers.contains("ropes"));
+}
+
 }  // namespace
 }  // namespace layoutbox

@@ -1,4 +1,4 @@
-// Cribs, and the ring that is built like one.
+// Cribs.
 #include <algorithm>
 #include <cmath>
 
@@ -7,28 +7,7 @@
 namespace layoutbox::kit {
 namespace {
 
-// Corner posts, ropes and a raised floor.
-void boxing_ring(Piece& p) {
-  const FreeSpace* open = p.open_above();
-  const double floor = open != nullptr ? open->box.min.z : p.h * 0.3, post = side_room(p, 0.12);
-  p.add(p.tinted("cotton", {0.30, 0.36, 0.46}), box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, floor - 0.02), 0.01));
-  p.add(p.named("cotton"), box(sides(-p.w / 2 + 0.02, p.w / 2 - 0.02, -p.d / 2 + 0.02, p.d / 2 - 0.02, floor - 0.03, floor), 0.004));
-  const int ropes[] = {p.tinted("plastic", {0.78, 0.22, 0.2}), p.named("plastic"), p.tinted("plastic", {0.22, 0.36, 0.66})};
-  for (const double x : {-1.0, 1.0}) {
-    for (const double y : {-1.0, 1.0}) {
-      const double cx = x * (p.w / 2 - post / 2), cy = y * (p.d / 2 - post / 2);
-      p.add(ropes[x * y > 0 ? 0 : 2], box(sides(cx - post / 2, cx + post / 2, cy - post / 2, cy + post / 2, floor, p.h), 0.02));
-    }
-    for (int i = 0; i < 3; ++i) {
-      const double z = floor + (p.h - floor) * (0.35 + 0.25 * i);
-      p.add(ropes[i], rod({x * (p.w / 2 - post / 2), -p.d / 2 + post, z}, {x * (p.w / 2 - post / 2), p.d / 2 - post, z}, 0.02, 8));
-      p.add(ropes[i], rod({-p.w / 2 + post, x * (p.d / 2 - post / 2), z}, {p.w / 2 - post, x * (p.d / 2 - post / 2), z}, 0.02, 8));
-    }
-  }
-}
-
 void crib(Piece& p) {
-  if (p.number("ropes", 0) > 0) return boxing_ring(p);
   const int wood = p.main("lacquer"), white = p.named("cotton"), blanket = p.tinted("cotton", p.accent());
   const FreeSpace* open = p.open_above();
   const double top = open != nullptr ? open->box.min.z : p.h * 0.5, under = std::max({0.0, p.clear_below(0), top - 0.2}), t = 0.03;

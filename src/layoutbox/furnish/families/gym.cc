@@ -161,9 +161,44 @@ void punching_bag(Piece& p) {
   p.fit();
 }
 
+// A canvas on a skirted platform, a padded post in each corner (one red, one blue, two white), ropes from post to post and ties between
+// them.
+void boxing_ring(Piece& p) {
+  const FreeSpace* open = p.open_above();
+  const double floor = open != nullptr ? open->box.min.z : p.h * 0.3, edge = side_room(p, 0.15), x = p.w / 2, y = p.d / 2;
+  const int white = p.named("cotton"), red = p.tinted("plastic", {0.78, 0.22, 0.2}), blue = p.tinted("plastic", {0.22, 0.36, 0.66});
+  const int tie = p.named("plastic"), metal = p.frame("steel");
+  p.add(p.tinted("cotton", {0.30, 0.36, 0.46}), box(sides(-x, x, -y, y, 0, floor - 0.02), 0.01));
+  p.add(white, box(sides(-x + 0.02, x - 0.02, -y + 0.02, y - 0.02, floor - 0.03, floor), 0.004));
+  const int ropes = p.count("ropes", 3);
+  const double high = p.h - floor, low = 0.3 * high, rise = ropes > 1 ? 0.58 * high / (ropes - 1) : 0, middle = edge / 2;
+  const auto level = [&](int i) { return floor + low + rise * i; };
+  for (const double right : {-1.0, 1.0}) {
+    for (const double back : {-1.0, 1.0}) {
+      const Vec at{right * (x - middle), back * (y - middle), floor};
+      const int pad = right * back < 0 ? white : right > 0 ? red : blue;
+      p.add(metal, rod({at.x, at.y, floor}, {at.x, at.y, p.h}, 0.25 * edge, 12));
+      p.add(pad, rounded_box(sides(at.x - middle, at.x + middle, at.y - middle, at.y + middle, floor + 0.2 * high, p.h - 0.02), 0.03, 2));
+    }
+    for (int i = 0; i < ropes; ++i) {
+      const int rope = i % 3 == 0 ? red : i % 3 == 1 ? tie : blue;
+      p.add(rope, rod({right * (x - middle), -y + edge, level(i)}, {right * (x - middle), y - edge, level(i)}, 0.02, 8));
+      p.add(rope, rod({-x + edge, right * (y - middle), level(i)}, {x - edge, right * (y - middle), level(i)}, 0.02, 8));
+    }
+    for (const double third : {-1.0 / 3, 1.0 / 3}) {
+      const auto strap = [&](double cx, double cy) {
+        p.add(tie, box(sides(cx - 0.024, cx + 0.024, cy - 0.024, cy + 0.024, level(0) - 0.03, level(ropes - 1) + 0.03), 0.004));
+      };
+      strap(right * (x - middle), third * y);
+      strap(third * x, right * (y - middle));
+    }
+  }
+}
+
 }  // namespace
 
 void add_gym(Families& to) {
+  to["boxing_ring"] = boxing_ring;
   to["treadmill"] = treadmill;
   to["exercise_bike"] = exercise_bike;
   to["dumbbell"] = dumbbell;
