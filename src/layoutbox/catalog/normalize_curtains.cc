@@ -51,6 +51,20 @@ int window_told(const SceneGraph& scene, const std::vector<const Opening*>& wind
   return -1;
 }
 
+// Where nothing says that it hangs elsewhere (on a wall, beside a bath), a window is missed: who says that there is none forgets the
+// curtains, or the window.
+void note_curtains_without_window(NormalizeContext& context, const std::vector<SceneObject*>& curtains) {
+  for (const SceneObject* curtain : curtains) {
+    const bool usual_elsewhere = !context.catalog.entry_or_nearest(curtain->category).beside.empty();
+    const bool told = std::ranges::any_of(context.scene.relations, [&](const Relation& r) { return names(r.targets, curtain->id); });
+    if (usual_elsewhere || told || curtain->hint.position) continue;
+    std::string message =
+        fmt::format("the room has no window for \"{}\": it hangs on a wall; ask for a window, name the wall, or leave it out", curtain->id);
+    if (std::ranges::find(context.scene.notes, message, &Note::message) != context.scene.notes.end()) continue;  // of an earlier time
+    context.note("contradiction", std::move(message), fmt::format("/furniture/{}", curtain - context.scene.objects.data()));
+  }
+}
+
 }  // namespace
 
 void hang_curtains_at_windows(NormalizeContext& context) {
@@ -90,7 +104,7 @@ void normalize_curtains(NormalizeContext& context) {
     const CatalogEntry& entry = context.catalog.entry_or_nearest(object.category);
     if (entry.is(Trait::kCurtain) && entry.mount == Mount::kWall && object.size) curtains.push_back(&object);
   }
-  if (windows.empty()) return;
+  if (windows.empty()) return note_curtains_without_window(context, curtains);
   std::vector<std::size_t> window_of;
   for (std::size_t i = 0; i < curtains.size(); ++i) {
     const int told = window_told(context.scene, windows, curtains[i]->id);
