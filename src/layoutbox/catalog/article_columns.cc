@@ -57,14 +57,20 @@ Header header_of(std::string_view written) {
 }
 
 std::optional<Length> length_from(std::string text) {
-  if (std::ranges::count(text, ',') == 1 && text.find('.') == std::string::npos) std::ranges::replace(text, ',', '.');
   Length length;
+  length.text = text;
+  if (std::ranges::count(text, ',') == 1 && text.find('.') == std::string::npos) std::ranges::replace(text, ',', '.');
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), length.value);
   if (error != std::errc{} || !std::isfinite(length.value)) return std::nullopt;
   for (const char* c = end; c != text.data() + text.size(); ++c) {
     if (*c != ' ') length.unit += *c;
   }
   if (!metres_per_unit(length.unit)) return std::nullopt;
+  const std::string_view number(text.data(), static_cast<std::size_t>(end - text.data()));
+  const std::size_t sign = number.find('.');
+  if (sign > 0 && sign <= 3 && number.size() == sign + 4 && number[0] != '0' && number[0] != '-') {
+    length.grouped = std::round(length.value * 1000);
+  }
   return length;
 }
 

@@ -43,6 +43,8 @@ Header header_of(std::string_view written);
 struct Length {
   double value = 0;
   std::string unit;
+  std::optional<double> grouped;  // "1.600": what it is where the sign parts thousands
+  std::string text;               // as it was written
 };
 
 // Empty where it is none, or in no unit of length.

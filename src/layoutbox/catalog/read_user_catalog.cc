@@ -248,13 +248,15 @@ class CatalogReader {
       set_side(article.size.height, raw.height, unit, "height", raw.pointer);
       catalog_.articles.push_back(std::move(article));
     }
+    note_grouped();
     if (errors_.empty() && catalog_.articles.empty())
       add_error(ErrorCode::kEmpty, "the catalogue has no articles", {}, "give at least one");
   }
 
   void set_side(Mm& side, const std::optional<Length>& length, const std::string& unit, std::string_view name, const std::string& pointer) {
     if (!length) return;
-    const double metres = length->value * metres_per_unit(length->unit.empty() ? unit : length->unit).value_or(1);
+    const double per_unit = metres_per_unit(length->unit.empty() ? unit : length->unit).value_or(1);
+    const double metres = value_in(*length, per_unit, pointer) * per_unit;
     if (!(metres >= 0.001 && metres <= kLargestMetres)) {
       return add_error(ErrorCode::kGeometry, fmt::format("{}: the {} is {:.6g} m", pointer, name, metres), pointer,
                        fmt::format("give more than 0 and at most {} m; is the unit right?", kLargestMetres));
@@ -262,6 +264,25 @@ class CatalogReader {
     side = mm_from_m(metres);
   }
 
+  // Nobody measures furniture in thousandths of a millimetre: in "1.600" mm the sign parts thousands.
+  double value_in(const Length& length, double metres_per_unit, const std::string& pointer) {
+    constexpr double kMillimetre = 0.001;
+    if (!length.grouped || metres_per_unit != kMillimetre) return length.value;
+    if (grouped_++ == 0) {
+      first_grouped_ = fmt::format("\"{}\" in mm is read as {} mm, its sign parting thousands", length.text, *length.grouped);
+      grouped_at_ = pointer;
+    }
+    return *length.grouped;
+  }
+
+  void note_grouped() {
+    if (grouped_ == 0) return;
+    const std::string others = grouped_ == 1 ? "" : fmt::format(", and so are {} more lengths", grouped_ - 1);
+    catalog_.notes.push_back({"warning", first_grouped_ + others + "; write it without the sign to be sure", grouped_at_});
+  }
+
+  std::size_t grouped_ = 0;  // lengths such as "1.600" in mm
+  std::string first_grouped_, grouped_at_;
   std::string units_;
   std::vector<RawArticle> raw_;
   UserCatalog catalog_;

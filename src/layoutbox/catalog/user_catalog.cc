@@ -45,8 +45,9 @@ CatalogEntry entry_of(const Article& article, const CatalogEntry& kind, std::str
     const Mm least = kind.size.least.*side, greatest = kind.size.greatest.*side;
     if (size.*side * kUnlike >= least && size.*side <= greatest * kUnlike) continue;
     notes.push_back({"warning",
-                     fmt::format("article \"{}\" is {} mm {}, and a {} is {} to {} mm; is the unit right?", article.id, size.*side, name,
-                                 kind.name, least, greatest),
+                     fmt::format("article \"{}\" is read as {} mm {}, and a {} is {} to {} mm: the unit of that column, or the sign of its "
+                                 "decimals, seems to be another; name the unit in the header, as in \"width (cm)\"",
+                                 article.id, size.*side, name, kind.name, least, greatest),
                      {}});
   }
   entry.size = {size, size, size};

@@ -106,9 +106,24 @@ TEST(UserCatalog, SizesUnlikeAllOfTheirKindAreWarnedOf) {
     with_articles(Catalog::builtin(), user, CatalogMerge::kAdd);
     return user.notes;
   };
-  const auto warns = Contains(testing::AllOf(Field(&Note::code, "warning"), Field(&Note::message, HasSubstr("2 mm wide"))));
-  EXPECT_THAT(notes("id,category,width (mm),depth (mm)\nB1,bed,1.600,2000\n"), warns);
+  const auto warns = Contains(testing::AllOf(Field(&Note::code, "warning"), Field(&Note::message, HasSubstr("read as 2 mm wide"))));
+  EXPECT_THAT(notes("id,category,width (mm),depth (mm)\nB1,bed,1.6,2000\n"), warns);
   EXPECT_THAT(notes("id,category,width (mm),depth (mm)\nB1,bed,1600,2000\n"), testing::Not(warns));
+}
+
+// "1.600" mm is no bed of two millimetres, and a note says what was read.
+TEST(UserCatalog, ThousandsOfMillimetresMayBeParted) {
+  const auto size = [](std::string_view csv) { return read(csv).articles.at(0).size; };
+  EXPECT_EQ(size("category,width (mm),depth (mm),height (mm)\nbed,1.600,2.050,500\n"), (Size{1600, 2050, 500}));
+  EXPECT_EQ(size("category,width (mm),depth,height\nbed,\"1,600\",2.000,0.500\n"), (Size{1600, 2000, 500})) << "only what is in mm";
+  EXPECT_EQ(size("category,width,depth,height\nbed,1.600,2.000,0.500\n"), (Size{1600, 2000, 500})) << "metres";
+  EXPECT_EQ(size("category,width (cm),depth (mm),height (mm)\nbed,160.5,2000.5,500\n").width, 1605);
+  EXPECT_EQ(size(R"([{"category": "bed", "width": "1.600 mm", "depth": "2.000mm", "height": "50 cm"}])"), (Size{1600, 2000, 500}));
+  const UserCatalog user = read("id,category,width (mm),depth (mm)\nB1,bed,1.600,2.050\nB2,bed,1.800,2000\n");
+  EXPECT_THAT(user.notes, Contains(testing::AllOf(Field(&Note::code, "warning"), Field(&Note::pointer, "line 2"),
+                                                  Field(&Note::message, HasSubstr("\"1.600\" in mm is read as 1600 mm")),
+                                                  Field(&Note::message, HasSubstr("2 more lengths")))));
+  EXPECT_THAT(read("id,category,width (mm)\nB1,bed,1600\n").notes, testing::Not(Contains(Field(&Note::code, "warning"))));
 }
 
 class Articles : public testing::Test {
