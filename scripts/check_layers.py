@@ -25,6 +25,8 @@ FLOORS = (
 )
 # Lower floors that a folder may not know either: the verifier judges what these make, so it shares no code with them.
 FORBIDDEN = {"verify": {"plan", "solve", "furnish"}}
+# Folders behind an interface: besides the folder that holds them, only these make one and hand it on.
+BEHIND = {"plan/llm": {"cli", "experiment"}}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<(layoutbox/[^>]+)>)', re.MULTILINE)
 # Types that stand at the left margin: what another type holds is told apart by that one's name. A forward declaration is none.
@@ -50,6 +52,9 @@ def fault(folder, included):
         return f"{other}/ has no floor; give it one in scripts/check_layers.py"
     if other in FORBIDDEN.get(folder, ()):
         return f"{folder}/ must share no code with {other}/"
+    inner = "/".join(parts[1:3])
+    if folder not in BEHIND.get(inner, {folder}):
+        return f"{inner}/ is made by {' and '.join(sorted(BEHIND[inner]))} alone; use its interface in {other}/"
     if FLOOR_OF[other] > FLOOR_OF[folder]:
         return f"{other}/ is above {folder}/"
     if FLOOR_OF[other] == FLOOR_OF[folder]:

@@ -42,6 +42,11 @@ class CheckLayers(unittest.TestCase):
         self.assertEqual(status, 1)
         self.assertIn("must share no code", out)
 
+    def test_the_planner_by_model_is_behind_its_interface(self):
+        text = '#include "layoutbox/plan/llm/conversation.h"\n'
+        self.assertIn("use its interface in plan/", self.check(pipeline__a=text)[1])
+        self.assertEqual(self.check(cli__a=text, experiment__b=text, plan__c=text)[0], 0)
+
     def test_subfolders_are_looked_at(self):
         self.assertEqual(self.check(solve__cp_sat__a='#include "layoutbox/render/render.h"\n')[0], 1)
 

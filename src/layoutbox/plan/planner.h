@@ -123,6 +123,9 @@ class Planner {
   // Takes a prompt in hand; null: this planner has one answer, that of plan(). The planner must outlive what it gives out. May be called
   // from several threads.
   virtual std::unique_ptr<Planning> begin(std::string_view prompt, const PlanOptions& options, const RoomGiven& room) const;
+  // The same for a text that changes a room: `scene` as it stands, with the places of its things. Null: this planner changes none.
+  virtual std::unique_ptr<Planning> begin_change(std::string_view text, const SceneGraph& scene, const PlanOptions& options,
+                                                 const RoomGiven& room) const;
 };
 
 // The catalogue must outlive the planner.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "layoutbox/base/words.h"
@@ -11,6 +12,8 @@
 #include "layoutbox/plan/llm/functions.h"
 #include "layoutbox/plan/llm/prompt.h"
 #include "layoutbox/plan/llm/record.h"
+#include "layoutbox/scene/json_text.h"
+#include "layoutbox/scene/scene_json.h"
 
 namespace layoutbox::llm {
 namespace {
@@ -222,6 +225,22 @@ Error Conversation::no_usable_scene() const {
 
 namespace {
 
+// What a model sees: no walls, spaces or notes, whose rules are its own, and not whose wish a thing was.
+std::string scene_to_edit(SceneGraph scene) {
+  scene.notes.clear();
+  for (SceneObject& object : scene.objects) {
+    object.spaces.clear();
+    object.spaces_given = false;
+    object.used_sides.reset();
+  }
+  nlohmann::ordered_json document = nlohmann::ordered_json::parse(write_scene(scene));
+  const auto strip = [](nlohmann::ordered_json& items) {
+    for (nlohmann::ordered_json& item : items) item.erase("origin"), item.erase("assumed");
+  };
+  strip(document["furniture"]), strip(document["constraints"]), strip(document["room"]["openings"]);
+  return format_json(document);
+}
+
 class ModelPlanner final : public Planner {
  public:
   ModelPlanner(const Catalog& catalog, chat::ChatOptions chat, ConversationOptions options)
@@ -244,6 +263,17 @@ class ModelPlanner final : public Planner {
     return std::make_unique<Conversation>(catalog_, chat_, std::string(prompt), own, room, options_);
   }
 
+  // A change is the model's to make, whatever the text alone would say.
+  std::unique_ptr<Planning> begin_change(std::string_view text, const SceneGraph& scene, const PlanOptions& options,
+                                         const RoomGiven& room) const override {
+    PlanOptions own = options;
+    if (own.stop == nullptr) own.stop = chat_.stop;
+    ConversationOptions changing = options_;
+    changing.trust = Trust::kModel;
+    changing.scene_to_edit = scene_to_edit(scene);
+    return std::make_unique<Conversation>(catalog_, chat_, std::string(text), own, room, std::move(changing));
+  }
+
  private:
   const Catalog& catalog_;
   chat::ChatOptions chat_;
@@ -261,5 +291,8 @@ std::unique_ptr<Planner> make_model_planner(const Catalog& catalog, chat::ChatOp
 namespace layoutbox {
 
 std::unique_ptr<Planning> Planner::begin(std::string_view, const PlanOptions&, const RoomGiven&) const { return nullptr; }
+std::unique_ptr<Planning> Planner::begin_change(std::string_view, const SceneGraph&, const PlanOptions&, const RoomGiven&) const {
+  return nullptr;
+}
 
 }  // namespace layoutbox
