@@ -76,20 +76,8 @@ bool is_in_use(const fs::path& folder) {
   return descriptor.get() < 0 || ::fcntl(descriptor.get(), F_OFD_GETLK, &other) != 0 || other.l_type != F_UNLCK;
 }
 
-// Folders of this user that mkdtemp named, a minute old (a new one is not marked yet), which no process uses.
-void remove_abandoned(const fs::path& base, std::string_view prefix) {
-  constexpr std::size_t kRandomLetters = 6;
-  std::error_code ignored;
-  const auto latest = fs::file_time_type::clock::now() - std::chrono::minutes(1);
-  for (fs::directory_iterator entry(base, ignored), end; entry != end; entry.increment(ignored)) {
-    const std::string name = entry->path().filename().string();
-    if (name.size() != prefix.size() + kRandomLetters || !name.starts_with(prefix)) continue;
-    struct stat status {};
-    if (::lstat(entry->path().c_str(), &status) != 0 || !S_ISDIR(status.st_mode) || status.st_uid != ::geteuid()) continue;
-    if (entry->last_write_time(ignored) > latest) continue;
-    if (!is_in_use(entry->path())) fs::remove_all(entry->path(), ignored);
-  }
-}
+constexpr std::string_view kOurs = "layoutbox-tmp-";
+constexpr std::size_t kRandomLetters = 6;  // of mkdtemp
 
 }  // namespace
 
@@ -156,12 +144,29 @@ Status make_folder(const fs::path& path) {
   return {};
 }
 
-Result<TemporaryFolder> TemporaryFolder::make(std::string_view prefix) {
+// Folders of this user that make() named, a minute old (a new one is not marked yet), which no process uses.
+std::vector<fs::path> remove_abandoned_folders() {
+  std::vector<fs::path> removed;
+  std::error_code ignored;
+  const auto latest = fs::file_time_type::clock::now() - std::chrono::minutes(1);
+  for (fs::directory_iterator entry(fs::temp_directory_path(ignored), ignored), end; entry != end; entry.increment(ignored)) {
+    const std::string name = entry->path().filename().string();
+    if (!name.starts_with(kOurs) || name.size() < kOurs.size() + 1 + kRandomLetters || name[name.size() - kRandomLetters - 1] != '-')
+      continue;
+    struct stat status {};
+    if (::lstat(entry->path().c_str(), &status) != 0 || !S_ISDIR(status.st_mode) || status.st_uid != ::geteuid()) continue;
+    if (entry->last_write_time(ignored) > latest || is_in_use(entry->path())) continue;
+    if (fs::remove_all(entry->path(), ignored) > 0) removed.push_back(entry->path());
+  }
+  return removed;
+}
+
+Result<TemporaryFolder> TemporaryFolder::make(std::string_view purpose) {
   std::error_code error;
   const fs::path base = fs::temp_directory_path(error);
   if (error) return io_error("find a temporary folder in", "TMPDIR", error.value());
-  remove_abandoned(base, prefix);
-  std::string name = (base / fmt::format("{}XXXXXX", prefix)).string();
+  remove_abandoned_folders();
+  std::string name = (base / fmt::format("{}{}-XXXXXX", kOurs, purpose)).string();
   if (::mkdtemp(name.data()) == nullptr) return io_error("make a temporary folder in", base, errno);
   return TemporaryFolder(fs::path(name), folder_in_use(name));
 }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "layoutbox/base/descriptor.h"
 #include "layoutbox/base/result.h"
@@ -19,11 +20,11 @@ Status write_file(const std::filesystem::path& path, std::string_view bytes);
 // Makes the folder and those above it, and checks that a file can be written there.
 Status make_folder(const std::filesystem::path& path);
 
-// A new empty folder for temporary files, removed with everything in it when the value dies; where its process is killed before, by the
-// next make() with that prefix, a minute later or more.
+// A new empty folder for temporary files, "layoutbox-tmp-PURPOSE-…" in TMPDIR, removed with everything in it when the value dies; where its
+// process is killed before, by remove_abandoned_folders(), a minute later or more.
 class TemporaryFolder {
  public:
-  static Result<TemporaryFolder> make(std::string_view prefix);
+  static Result<TemporaryFolder> make(std::string_view purpose);
   TemporaryFolder(TemporaryFolder&& other) noexcept;
   TemporaryFolder& operator=(TemporaryFolder&& other) noexcept;
   TemporaryFolder(const TemporaryFolder&) = delete;
@@ -36,5 +37,8 @@ class TemporaryFolder {
   std::filesystem::path path_;
   Descriptor mark_;  // that the folder is in use
 };
+
+// Such folders that killed processes of this user left, which every make() removes as well. Returns which they were.
+std::vector<std::filesystem::path> remove_abandoned_folders();
 
 }  // namespace layoutbox

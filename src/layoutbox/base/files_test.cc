@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 class Files : public testing::Test {
  protected:
-  TemporaryFolder folder_ = TemporaryFolder::make("layoutbox-test-").value();
+  TemporaryFolder folder_ = TemporaryFolder::make("test").value();
   fs::path path_ = folder_.path() / "file.txt";
 
   std::size_t entries() const {
@@ -84,23 +84,27 @@ TEST_F(Files, FoldersAreMadeWithThoseAbove) {
 }
 
 TEST(TemporaryFolders, OfAProcessThatWasKilledGoAtTheNextStart) {
-  const std::string prefix = "layoutbox-killed-";
-  const fs::path abandoned = fs::temp_directory_path() / (prefix + "abcdef"), fresh = fs::temp_directory_path() / (prefix + "ghijkl");
-  const TemporaryFolder held = TemporaryFolder::make(prefix).value();
-  ASSERT_TRUE(make_folder(abandoned) && write_file(abandoned / "a", "x") && make_folder(fresh));
+  const fs::path base = fs::temp_directory_path();
+  const fs::path abandoned = base / "layoutbox-tmp-killed-abcdef", fresh = base / "layoutbox-tmp-killed-ghijkl";
+  const fs::path of_a_person = base / "layoutbox-sunset", of_a_person_too = base / "layoutbox-tmp-garden";
+  const TemporaryFolder held = TemporaryFolder::make("held").value();
+  for (const fs::path& folder : {abandoned, fresh, of_a_person, of_a_person_too}) ASSERT_TRUE(make_folder(folder));
+  ASSERT_TRUE(write_file(abandoned / "a", "x"));
   const auto long_ago = fs::file_time_type::clock::now() - std::chrono::hours(1);
-  for (const fs::path& folder : {abandoned, held.path()}) fs::last_write_time(folder, long_ago);
-  const TemporaryFolder next = TemporaryFolder::make(prefix).value();
+  for (const fs::path& folder : {abandoned, held.path(), of_a_person, of_a_person_too}) fs::last_write_time(folder, long_ago);
+  const std::vector<fs::path> removed = remove_abandoned_folders();
+  EXPECT_NE(std::find(removed.begin(), removed.end(), abandoned), removed.end());
   EXPECT_FALSE(fs::exists(abandoned));
   EXPECT_TRUE(fs::exists(held.path())) << "it is in use";
   EXPECT_TRUE(fs::exists(fresh)) << "its process may not have locked it yet";
-  fs::remove_all(fresh);
+  for (const fs::path& folder : {of_a_person, of_a_person_too}) EXPECT_TRUE(fs::exists(folder)) << "not ours";
+  for (const fs::path& folder : {fresh, of_a_person, of_a_person_too}) fs::remove_all(folder);
 }
 
 TEST(TemporaryFolders, GoWithEverythingInThem) {
   fs::path path;
   {
-    TemporaryFolder first = TemporaryFolder::make("layoutbox-test-").value();
+    TemporaryFolder first = TemporaryFolder::make("test").value();
     path = first.path();
     ASSERT_TRUE(make_folder(path / "deep"));
     const TemporaryFolder second = std::move(first);

@@ -117,6 +117,7 @@ Result<BatchOutcome> run_lines(BatchArguments& flags, const Console& console) {
 }
 
 int run_batch(BatchArguments& flags, const Console& console) {
+  clear_up(console);
   const auto outcome = run_lines(flags, console);
   if (!outcome) return console.fail(outcome.error());
   console.result(summary_line(*outcome, flags.folder), write_batch_summary(*outcome));

@@ -79,6 +79,7 @@ Status read_all_ratings(ExperimentArguments& flags) {
 }
 
 int run_experiment_command(ExperimentArguments flags, const Console& console) {
+  clear_up(console);
   const auto suite = experiment::load_suite(flags.suite);
   if (!suite) return console.fail(suite.error());
   const auto models = models_at_hand(flags, console);

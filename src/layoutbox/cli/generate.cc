@@ -158,6 +158,7 @@ QuestionFlags questions_of(const GenerateArguments& flags) {
 }
 
 int run_generate(GenerateArguments& flags, bool prompt_given, const Console& console) {
+  clear_up(console);
   if (const Status source = check_source(flags, prompt_given); !source) return console.fail(source.error());
   if (const Status ready = prepare_generate(flags, console); !ready) return console.fail(ready.error());
   const auto catalog = flags.plan.load_catalog();

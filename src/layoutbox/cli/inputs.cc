@@ -248,6 +248,11 @@ Status FurnishFlags::apply(FurnishOptions& options) const {
   return {};
 }
 
+void clear_up(const Console& console) {
+  for (const std::filesystem::path& folder : remove_abandoned_folders())
+    console.say(fmt::format("removed   {}, which a killed run had left", folder.string()));
+}
+
 Result<std::string> read_prompt(const std::string& argument) { return argument == "-" ? read_stdin() : Result<std::string>(argument); }
 
 Result<std::string> read_input(const std::string& path) { return path == "-" ? read_stdin() : read_file(path, kMaxInputBytes); }

@@ -13,6 +13,8 @@
 
 namespace layoutbox::cli {
 
+class Console;
+
 // The catalogue of a run: ours, or ours with the user's articles.
 struct CatalogInUse {
   std::optional<Catalog> own;
@@ -72,6 +74,9 @@ struct FurnishFlags {
   void add_to(CLI::App& command);
   Status apply(FurnishOptions& options) const;
 };
+
+// Before a run: temporary folders that killed runs left are removed, and said to be.
+void clear_up(const Console& console);
 
 // A prompt as given, or all of stdin for "-".
 Result<std::string> read_prompt(const std::string& argument);

@@ -40,7 +40,7 @@ Result<std::vector<vlm::Picture>> drawn_pictures(const Layout& layout, const std
   for (const std::string& name : views) {
     if (const auto view = view_from_name(name)) render.views.push_back(*view);
   }
-  LAYOUTBOX_ASSIGN(const auto folder, TemporaryFolder::make("layoutbox-views"));
+  LAYOUTBOX_ASSIGN(const auto folder, TemporaryFolder::make("views"));
   if (!render.views.empty()) {
     LAYOUTBOX_ASSIGN(const Model model, furnish(layout, Catalog::builtin()));
     LAYOUTBOX_CHECK(write_file(folder.path() / "blender.py", write_blender_script(model, layout, Catalog::builtin(), render)));

@@ -19,6 +19,7 @@ struct RenderArguments {
 };
 
 int run_render(RenderArguments& flags, const Console& console) {
+  clear_up(console);
   if (const Status ready = flags.render.apply(flags.options); !ready) return console.fail(ready.error());
   const auto layout = read_layout_file(flags.layout);
   if (!layout) return console.fail(layout.error());

@@ -39,6 +39,7 @@ std::filesystem::path page_beside_program() {
 }
 
 int run_serve(ServeArguments& flags, const Console& console) {
+  clear_up(console);
   const auto catalog = load_catalog(flags.catalog_file);
   if (!catalog) return console.fail(catalog.error());
   const auto planner = make_offline_planner(catalog->get());

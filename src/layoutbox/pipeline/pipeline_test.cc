@@ -37,7 +37,7 @@ TEST(Generate, ARoomThatNobodyMeasuredGrowsUntilAllHasAPlace) {
   GenerateOptions options;
   options.pictures = false;
   for (const bool measured : {false, true}) {
-    const TemporaryFolder folder = TemporaryFolder::make("layoutbox-test-").value();
+    const TemporaryFolder folder = TemporaryFolder::make("test").value();
     const std::string prompt = (measured ? "A study, 3.6 x 3.2 m. " : "A study. ") + text;
     const auto made = generate(prompt, *planner, catalog, folder.path() / "out", options);
     ASSERT_TRUE(made) << made.error().message;
@@ -57,7 +57,7 @@ TEST(Generate, ARoomThatNobodyMeasuredGrowsRatherThanItsFurnitureShrinks) {
         "is "
         "set across from the desk, with a floor lamp just behind the recliner.",
         "A nap room. Six cots rest on a carpet in the center of the room. A rocking chair by the window faces the cots."}) {
-    const TemporaryFolder folder = TemporaryFolder::make("layoutbox-test-").value();
+    const TemporaryFolder folder = TemporaryFolder::make("test").value();
     const auto made = generate(prompt, *planner, catalog, folder.path() / "out", options);
     ASSERT_TRUE(made) << made.error().message;
     EXPECT_GT(made->layout.score_terms.at("sizes"), 0.6) << prompt;
@@ -82,7 +82,7 @@ TEST(Artefacts, VariantsAreNumberedFromTwo) {
 }
 
 TEST(FolderLocks, OneRunAtATime) {
-  const TemporaryFolder folder = TemporaryFolder::make("layoutbox-test-").value();
+  const TemporaryFolder folder = TemporaryFolder::make("test").value();
   {
     const auto first = FolderLock::acquire(folder.path());
     ASSERT_TRUE(first);

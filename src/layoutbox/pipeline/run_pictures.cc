@@ -30,7 +30,7 @@ Result<Drawn> draw_pictures(RunFolder& folder, std::size_t variant, const Genera
     return told_of(names, made, options.render);
   }
   // Blender writes the same names each time, so each of the others is drawn elsewhere.
-  LAYOUTBOX_ASSIGN(const TemporaryFolder place, TemporaryFolder::make("layoutbox-variant"));
+  LAYOUTBOX_ASSIGN(const TemporaryFolder place, TemporaryFolder::make("variant"));
   LAYOUTBOX_ASSIGN(const RenderOutputs made, draw(script, place.path(), options));
   for (const auto& file : made.files()) {
     LAYOUTBOX_ASSIGN(const std::string bytes, read_file(file));

@@ -29,7 +29,7 @@ struct Running {
 };
 
 Result<Running> start(const Blender& blender) {
-  LAYOUTBOX_ASSIGN(auto home, TemporaryFolder::make("layoutbox-blender"));
+  LAYOUTBOX_ASSIGN(auto home, TemporaryFolder::make("blender"));
   const fs::path script = home.path() / "serve.py";
   LAYOUTBOX_CHECK(write_file(script, embedded::serve_py));
   ProcessOptions options;
@@ -119,7 +119,7 @@ Result<RenderOutputs> BlenderServer::render(const fs::path& script_file, const f
   LAYOUTBOX_CHECK(make_folder(folder));
   Listener listener(options);
   for (bool again = false;; again = true) {
-    LAYOUTBOX_ASSIGN(const auto made, TemporaryFolder::make("layoutbox-picture"));
+    LAYOUTBOX_ASSIGN(const auto made, TemporaryFolder::make("picture"));
     bool died = false;
     const Status drawn = state_->draw(script, made.path(), options, listener, died);
     if (!drawn && died && !again) continue;

@@ -80,7 +80,7 @@ std::string_view name_of(ScriptEnd end) {
 }
 
 Result<ForeignRun> run_foreign_script(const Blender& blender, const std::string& script, const ForeignOptions& options) {
-  LAYOUTBOX_ASSIGN(const auto folder, TemporaryFolder::make("layoutbox-script"));
+  LAYOUTBOX_ASSIGN(const auto folder, TemporaryFolder::make("script"));
   LAYOUTBOX_CHECK(write_file(folder.path() / "script.py", script));
   if (const auto& wanted = options.picture) {
     LAYOUTBOX_CHECK(write_file(folder.path() / "picture.json", fmt::format(R"({{"width": {}, "height": {}, "samples": {}}})", wanted->width,
@@ -103,7 +103,7 @@ Result<ForeignRun> run_foreign_script(const Blender& blender, const std::string&
 
 Result<std::string> gltf_of_blend(const Blender& blender, std::string_view blend, const ForeignOptions& options) {
   if (blend.size() > kLargestBlend) return fail(ErrorCode::kTooLarge, fmt::format("a .blend of more than {} MB", kLargestBlend >> 20));
-  LAYOUTBOX_ASSIGN(const auto folder, TemporaryFolder::make("layoutbox-blend"));
+  LAYOUTBOX_ASSIGN(const auto folder, TemporaryFolder::make("blend"));
   LAYOUTBOX_CHECK(write_file(folder.path() / "room.blend", blend));
   LAYOUTBOX_ASSIGN(const sandbox::Outcome outcome, run_foreign(blender, folder.path(), "read", options));
   if (!outcome.ended.empty()) return fail(ErrorCode::kParse, "the .blend could not be read: " + outcome.ended);

@@ -15,8 +15,8 @@ Result<RenderOutputs> run_blender(const Blender& blender, const std::filesystem:
   const auto script = std::filesystem::absolute(script_file, error);
   if (error || !std::filesystem::exists(script, error)) return fail(ErrorCode::kIo, fmt::format("{} is not there", script_file.string()));
   LAYOUTBOX_CHECK(make_folder(folder));
-  LAYOUTBOX_ASSIGN(const auto home, TemporaryFolder::make("layoutbox-blender"));
-  LAYOUTBOX_ASSIGN(const auto made, TemporaryFolder::make("layoutbox-picture"));
+  LAYOUTBOX_ASSIGN(const auto home, TemporaryFolder::make("blender"));
+  LAYOUTBOX_ASSIGN(const auto made, TemporaryFolder::make("picture"));
 
   Listener listener(options);
   ProcessOptions process;
