@@ -4,7 +4,9 @@ import contextlib
 import io
 import json
 import re
+import shlex
 import shutil
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -75,6 +77,20 @@ class AddRelation(unittest.TestCase):
         for name in ("src/layoutbox/solve/compile/pair.cc", "src/layoutbox/verify/relations/pair.cc"):
             self.assertIn("#error", self.read(name))
         self.assertIn("| `inShadowOf` | max=0.6 |  |", self.read(FILES[4]))
+
+    def test_the_pages_own_example_compiles(self):
+        page = (ROOT / "docs/add-a-relation.md").read_text("utf-8")
+        command = re.search(r"add_relation\.py (backToBack .*?)\n *```", page, re.DOTALL)[1].replace("\\\n", " ")
+        self.assertEqual(self.add(*shlex.split(command))[0], 0)
+        for head, folder in (("void compile_BackToBack", FOLDERS[0]), ("Finding check_BackToBack", FOLDERS[1])):
+            body = re.search(rf"```cpp\n( *{head}.*?)\n *```", page, re.DOTALL)[1]
+            (file,) = [one for one in (self.root / folder).glob("*.cc") if head in one.read_text("utf-8")]
+            text = re.sub(rf"{head}\([^\n]*\n#error[^\n]*\n\}}", body.replace("\\", r"\\"), file.read_text("utf-8"))
+            self.assertNotIn("#error", text)
+            file.write_text(text, "utf-8")
+            compiler = ["c++", "-std=c++20", "-fsyntax-only", "-DFMT_SHARED", f"-I{self.root}/src", f"-I{ROOT}/src", file]
+            done = subprocess.run(compiler, text=True, capture_output=True, check=False)
+            self.assertEqual(done.returncode, 0, done.stderr)
 
     def test_what_cannot_be_writes_nothing(self):
         before = {name: self.read(name) for name in FILES}
