@@ -9,7 +9,7 @@
 #include "layoutbox/cli/commands.h"
 #include "layoutbox/cli/inputs.h"
 #include "layoutbox/cli/model_flags.h"
-#include "layoutbox/pipeline/edit_by_model.h"
+#include "layoutbox/pipeline/edit_by_planner.h"
 #include "layoutbox/scene/scene_json.h"
 
 namespace layoutbox::cli {
@@ -44,9 +44,17 @@ std::string words_of(const ObjectChange& change) {
   return fmt::format("{} {}{}", change.id, what, change.asked ? "" : " (made room, or went along)");
 }
 
+// What made room by less than the centimetre that is shown is not worth a line.
+bool is_shown(const ObjectChange& change) {
+  constexpr double kShown = 0.005;
+  return change.asked || change.metres >= kShown || change.what != std::vector<std::string>{"moved"};
+}
+
 std::string text_of(const EditOutcome& outcome) {
   std::string text;
-  for (const ObjectChange& change : outcome.changes) text += words_of(change) + "\n";
+  for (const ObjectChange& change : outcome.changes) {
+    if (is_shown(change)) text += words_of(change) + "\n";
+  }
   for (const Relation& relation : outcome.dropped) {
     text += fmt::format("no longer asked for: {}\n", relation.why.empty() ? std::string(relation_row(relation.type).name) : relation.why);
   }
@@ -91,15 +99,16 @@ int write_folder(EditArguments& flags, const EditOutcome& edited, const Catalog&
   return as_asked(*made) ? kDone : kNotAsAsked;
 }
 
-Result<EditOutcome> edited_layout(const EditArguments& flags, const std::string& text, const Layout& layout, const Catalog& catalog,
+Result<EditOutcome> edited_layout(EditArguments& flags, const std::string& text, const Layout& layout, const Catalog& catalog,
                                   const Console& console) {
   if (flags.model.dry_run) return layoutbox::fail(ErrorCode::kUsage, "edit shows no request", "--dry-run", "generate and plan do");
   if (flags.planner == "offline") return edit_layout(text, layout, catalog, flags.options.solve);
-  LAYOUTBOX_ASSIGN(chat::ChatOptions chat, flags.model.chat_options(console));
-  return edit_by_model(text, layout, catalog, std::move(chat), flags.options);
+  LAYOUTBOX_ASSIGN(const auto planner, flags.model.make_planner(flags.planner, catalog, flags.options, console));
+  return edit_by_planner(text, layout, catalog, *planner, flags.options);
 }
 
 int run_edit(EditArguments& flags, const Console& console) {
+  clear_up(console);
   if (const Status ready = flags.render.apply(flags.options.render); !ready) return console.fail(ready.error());
   if (const Status ready = flags.furnish.apply(flags.options.furnish); !ready) return console.fail(ready.error());
   flags.options.furnish.asset_folders = asset_folders(flags.layout, flags.assets);

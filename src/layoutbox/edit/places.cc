@@ -129,7 +129,7 @@ Result<Layout> EditPlacer::place() {
   const auto askew = [](const EditPin& pin) { return pin.may_move && !side_looked_at(pin.rotation); };
   if (std::any_of(state_.pins.begin(), state_.pins.end(), quarter)) attempts.push_back({1, 1, 0, true});
   if (std::any_of(state_.pins.begin(), state_.pins.end(), askew)) {
-    for (const double step : {50.0, 100.0, 200.0, 400.0}) attempts.push_back({1, 1, step, false});
+    for (const double step : {50.0, 100.0, 200.0, 400.0, 700.0, 1000.0}) attempts.push_back({1, 1, step, false});
   }
   for (const Attempt& attempt : attempts) {
     if (solve_.stop != nullptr && solve_.stop->load()) break;

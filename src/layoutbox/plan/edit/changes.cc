@@ -39,7 +39,7 @@ std::optional<int> side_of(std::string_view word) {
   return std::nullopt;
 }
 
-constexpr double kMoreFactor = 1.25, kLessFactor = 0.8;
+constexpr double kMoreFactor = 1.25, kLessFactor = 0.8, kLittleMore = 1.1, kLittleLess = 0.9;
 
 bool concerns(int side, std::size_t i) { return side == 4 || static_cast<std::size_t>(side % 3) == i; }
 
@@ -165,7 +165,8 @@ std::size_t read_resize(const Lexicon& lexicon, const Tokens& tokens, std::size_
   const std::size_t word_at = i + degree_words(tokens, i);
   const auto word = word_at < tokens.size() ? comparative(tokens[word_at].text) : std::nullopt;
   if (!word) return 0;
-  scale(resize, word->side, word->more ? kMoreFactor : kLessFactor);
+  const bool little = says_little(tokens, i, word_at);
+  scale(resize, word->side, word->more ? (little ? kLittleMore : kMoreFactor) : little ? kLittleLess : kLessFactor);
   return word_at + 1 - at;
 }
 

@@ -19,8 +19,9 @@ struct PickedAt {
 };
 std::vector<PickedAt> take_picks(Tokens& tokens);
 
-// "by 90 degrees clockwise", "around", "a quarter turn": degrees counter-clockwise.
-std::optional<double> take_turn(Tokens& tokens);
+// "by 90 degrees clockwise", "around", "a quarter turn", "the other way": degrees counter-clockwise. `of_verb`: a turn is what the verb
+// says, so that "a bit" is one too.
+std::optional<double> take_turn(Tokens& tokens, bool of_verb);
 
 // "30 cm to the left", "a bit closer to", "up": `reference` stays empty; with kTowards and kAway the noun that follows at `at` names it.
 struct ShiftAt {

@@ -24,7 +24,10 @@ std::optional<Measure> length_at(const Lexicon& lexicon, const Tokens& tokens, s
 std::size_t degree_words(const Tokens& tokens, std::size_t at) {
   std::size_t i = at;
   for (;;) {
-    if (is_at(tokens, i, "a") && (is_at(tokens, i + 1, "bit") || is_at(tokens, i + 1, "little") || is_at(tokens, i + 1, "tad"))) {
+    const bool one_more = i + 1 < tokens.size() && one_of(tokens[i + 1].text, {"little", "tiny", "small"}) && is_at(tokens, i + 2, "bit");
+    if (is_at(tokens, i, "a") && one_more) {  // "a little bit"
+      i += 3;
+    } else if (is_at(tokens, i, "a") && i + 1 < tokens.size() && one_of(tokens[i + 1].text, {"bit", "little", "tad", "touch"})) {
       i += 2;
     } else if (i < tokens.size() && one_of(tokens[i].text, {"slightly", "somewhat", "further", "farther", "more", "much", "even", "by",
                                                             "over", "straight", "just", "some", "about"})) {
@@ -33,6 +36,13 @@ std::size_t degree_words(const Tokens& tokens, std::size_t at) {
       return i - at;
     }
   }
+}
+
+bool says_little(const Tokens& tokens, std::size_t first, std::size_t last) {
+  for (std::size_t i = first; i < last; ++i) {
+    if (one_of(tokens[i].text, {"bit", "little", "tad", "touch", "slightly", "somewhat"})) return true;
+  }
+  return false;
 }
 
 }  // namespace layoutbox::edit

@@ -18,5 +18,7 @@ std::optional<offline::Measure> length_at(const offline::Lexicon& lexicon, const
 
 // How many words of degree stand at `at`: "a bit", "slightly", "a little", "some more", "further".
 std::size_t degree_words(const Tokens& tokens, std::size_t at);
+// Whether these are such as "a bit", "slightly".
+bool says_little(const Tokens& tokens, std::size_t first, std::size_t last);
 
 }  // namespace layoutbox::edit

@@ -36,6 +36,18 @@ std::vector<PickedAt> take_picks(Tokens& tokens) {
 
 namespace {
 
+constexpr double kLittleTurn = 15;
+
+// "a bit", "slightly to the left" from `i`: its tokens, 0 for none.
+std::size_t little_turn_at(const Tokens& tokens, std::size_t i) {
+  const std::size_t degree = degree_words(tokens, i), end = i + degree;
+  if (degree == 0 || !says_little(tokens, i, end)) return 0;
+  const bool way =
+      end < tokens.size() && (one_of(tokens[end].text, {"clockwise", "counterclockwise", "anticlockwise", "counter", "anti"}) ||
+                              (is_at(tokens, end, "to") && is_at(tokens, end + 1, "the")));
+  return way || end == tokens.size() || tokens[end].kind == Token::Kind::kPunctuation ? degree : 0;
+}
+
 // What says a turn from `i`: its tokens, 0 for none. `degrees` and `direction` (counter-clockwise 1) are set as it says.
 std::size_t turn_at(const Tokens& tokens, std::size_t i, std::optional<double>& degrees, double& direction) {
   const auto at = [&](std::size_t k, std::string_view word) { return is_at(tokens, k, word); };
@@ -57,6 +69,9 @@ std::size_t turn_at(const Tokens& tokens, std::size_t i, std::optional<double>& 
   }
   if (one_of(tokens[i].text, {"counterclockwise", "anticlockwise"})) return unless_said(90, 1);
   if (one_of(tokens[i].text, {"counter", "anti"}) && at(i + 1, "clockwise")) return unless_said(90, 2);
+  const bool other = at(i, "the") && i + 2 < tokens.size() && one_of(tokens[i + 1].text, {"other", "opposite"}) &&
+                     one_of(tokens[i + 2].text, {"way", "direction"});
+  if (other) return unless_said(180, at(i + 3, "around") || at(i + 3, "round") ? 4 : 3);
   if (at(i, "around") && ends) return unless_said(180, 1);
   if (at(i, "sideways")) return unless_said(90, 1);
   const bool side = at(i, "to") && at(i + 1, "the") && (at(i + 2, "left") || at(i + 2, "right"));
@@ -67,14 +82,21 @@ std::size_t turn_at(const Tokens& tokens, std::size_t i, std::optional<double>& 
 
 }  // namespace
 
-std::optional<double> take_turn(Tokens& tokens) {
+std::optional<double> take_turn(Tokens& tokens, bool of_verb) {
   std::optional<double> degrees;
   double direction = 1;
   for (std::size_t i = 0; i < tokens.size();) {
-    if (const std::size_t length = turn_at(tokens, i, degrees, direction); length > 0)
+    if (const std::size_t little = of_verb ? little_turn_at(tokens, i) : 0; little > 0) {
+      degrees = degrees.value_or(kLittleTurn);
+      erase(tokens, i, i + little);
+    } else if (const std::size_t length = turn_at(tokens, i, degrees, direction); length > 0) {
       erase(tokens, i, i + length);
-    else
+      // "face the other way", "looks in the opposite direction"
+      while (i > 0 && one_of(tokens[i - 1].text, {"face", "faces", "facing", "look", "looks", "looking", "point", "pointing", "in"}))
+        erase(tokens, i - 1, i), --i;
+    } else {
       ++i;
+    }
   }
   if (degrees) *degrees *= direction;
   return degrees;

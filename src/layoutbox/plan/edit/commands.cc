@@ -22,6 +22,7 @@ constexpr VerbWords kVerbs[] = {
     {"bring in", Verb::kAdd},
     {"give me", Verb::kAdd},
     {"give it", Verb::kAdd},
+    {"give the room", Verb::kAdd},
     {"i want", Verb::kPlace},
     {"i need", Verb::kPlace},
     {"i would like", Verb::kPlace},
@@ -61,7 +62,10 @@ constexpr VerbWords kVerbs[] = {
     {"throw out", Verb::kRemove},
     {"throw away", Verb::kRemove},
     {"clear away", Verb::kRemove},
-    {"clear", Verb::kRemove},
+    {"clear", Verb::kClear},
+    {"empty", Verb::kClear},
+    {"clear out", Verb::kClear},
+    {"empty out", Verb::kClear},
     {"lose", Verb::kRemove},
     {"erase", Verb::kRemove},
     {"move", Verb::kMove},
@@ -80,13 +84,25 @@ constexpr VerbWords kVerbs[] = {
     {"raise", Verb::kMove},
     {"lower", Verb::kMove},
     {"tuck", Verb::kMove},
+    {"lift", Verb::kMove},
+    {"hide", Verb::kMove},
+    {"stow", Verb::kMove},
+    {"bring back", Verb::kPlace},
+    {"restore", Verb::kPlace},
+    {"copy", Verb::kCopy},
+    {"duplicate", Verb::kCopy},
+    {"clone", Verb::kCopy},
     {"swap", Verb::kSwap},
     {"exchange", Verb::kSwap},
     {"switch", Verb::kSwap},
     {"trade", Verb::kSwap},
+    {"interchange", Verb::kSwap},
     {"replace", Verb::kReplace},
     {"substitute", Verb::kSubstitute},
     {"use", Verb::kSubstitute},
+    {"would rather have", Verb::kSubstitute},
+    {"would prefer", Verb::kSubstitute},
+    {"prefer", Verb::kSubstitute},
     {"turn", Verb::kTurn},
     {"rotate", Verb::kTurn},
     {"face", Verb::kTurn},
@@ -95,6 +111,9 @@ constexpr VerbWords kVerbs[] = {
     {"flip", Verb::kTurn},
     {"point", Verb::kTurn},
     {"angle", Verb::kTurn},
+    {"swivel", Verb::kTurn},
+    {"pivot", Verb::kTurn},
+    {"twist", Verb::kTurn},
     {"make", Verb::kMake},
     {"change", Verb::kMake},
     {"let", Verb::kMake},
@@ -127,6 +146,20 @@ constexpr VerbWords kVerbs[] = {
     {"undo", Verb::kUndo},
     {"revert", Verb::kUndo},
     {"take that back", Verb::kUndo},
+    {"go back", Verb::kUndo},
+    {"roll back", Verb::kUndo},
+    {"redo", Verb::kRedo},
+    {"do it again", Verb::kRedo},
+    {"do that again", Verb::kRedo},
+    {"repeat", Verb::kRedo},
+    {"rearrange", Verb::kRearrange},
+    {"reorganize", Verb::kRearrange},
+    {"shuffle", Verb::kRearrange},
+    {"reshuffle", Verb::kRearrange},
+    {"tidy up", Verb::kRearrange},
+    {"start over", Verb::kAfresh},
+    {"start again", Verb::kAfresh},
+    {"reset", Verb::kAfresh},
 };
 
 // Words before a verb that change nothing.
@@ -183,11 +216,11 @@ std::pair<Verb, std::size_t> verb_at(std::span<const Token> tokens, std::size_t 
     if (length > best.second && stands_at(tokens, at, words)) best = {verb, length};
   }
   // "set of …", "double bed", "lower shelf": a verb is followed by what it acts on.
-  if (best.first == Verb::kUndo) return best;
+  if (best.first >= Verb::kUndo) return best;  // may stand alone
   if (best.second == 0 || at + best.second >= tokens.size()) return {Verb::kNone, 0};
   if (tokens[at + best.second].text == "of" || tokens[at + best.second].text == "'s") return {Verb::kNone, 0};
-  static constexpr std::string_view kAlsoOther[] = {"double", "narrow", "lower",  "set",  "stand", "face",
-                                                    "color",  "call",   "switch", "drop", "have",  "lean"};
+  static constexpr std::string_view kAlsoOther[] = {"double", "narrow", "lower", "set",  "stand", "face", "color",
+                                                    "call",   "switch", "drop",  "have", "lean",  "copy", "empty"};
   const bool doubtful =
       best.second == 1 && std::find(std::begin(kAlsoOther), std::end(kAlsoOther), tokens[at].text) != std::end(kAlsoOther);
   static constexpr std::string_view kActedOn[] = {"the",   "it",      "them",       "a",    "an",  "all",  "both", "every",

@@ -26,7 +26,13 @@ enum class Verb {
   kRename,
   kKeep,
   kMention,
-  kUndo
+  kClear,  // what stands on or in it, all there is in the room
+  kCopy,   // one more like it
+  // What an edit does not do.
+  kUndo,
+  kRedo,
+  kRearrange,
+  kAfresh
 };
 
 // One command: its verb, the word of it, and the tokens that follow.
@@ -34,6 +40,7 @@ struct Command {
   Verb verb = Verb::kNone;
   std::string word;  // "enlarge"
   std::vector<offline::Token> tokens;
+  bool along_wall = false;         // "to the left along the wall": as one who looks at that wall has it
   std::size_t begin = 0, end = 0;  // byte places in the text, the verb included
 };
 

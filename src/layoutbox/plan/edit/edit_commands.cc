@@ -70,7 +70,8 @@ Result<EditShift> EditReader::read_shift_reference(Clause& clause, EditShift way
 Status EditReader::read_move(Clause& clause, const std::optional<ShiftAt>& shift) {
   if (shift) {
     LAYOUTBOX_ASSIGN(const std::vector<int> things, read_things(clause, false));
-    LAYOUTBOX_ASSIGN(const EditShift way, read_shift_reference(clause, shift->shift, world_.wall_of(things.front())));
+    LAYOUTBOX_ASSIGN(EditShift way, read_shift_reference(clause, shift->shift, world_.wall_of(things.front())));
+    if (clause.along_wall) way = along_wall(way, things);
     LAYOUTBOX_CHECK(rest_understood(clause));
     begin(EditKind::kShift, clause, things).shift = way;
     return {};

@@ -97,6 +97,7 @@ Status EditReader::read_command(const Command& said) {
   Clause clause;
   clause.verb = command.verb;
   clause.word = command.word;
+  clause.along_wall = command.along_wall;
   clause.why = std::string(text_.substr(command.begin, command.end - command.begin));
   clause.document.prompt = std::string(text_);
   clause.earlier = last_;
@@ -110,20 +111,23 @@ Status EditReader::read_command(const Command& said) {
   std::optional<EditResize> resize;
   const bool of_ceiling = std::any_of(tokens.begin(), tokens.end(), [](const Token& token) { return token.text == "ceiling"; });
   if (clause.verb == Verb::kTurn) {
-    degrees = take_turn(tokens);
+    degrees = take_turn(tokens, true);
     if (!degrees) say_facing(tokens);
   } else if (clause.verb == Verb::kMove || clause.verb == Verb::kPlace) {
     if (of_ceiling) resize = take_resize(lexicon_, tokens, clause.word, true);  // "lower the ceiling to 2.4 m"
     if (!resize) shift = take_shift(lexicon_, tokens, clause.word);
   } else if (clause.verb == Verb::kMake || clause.verb == Verb::kNone || clause.verb == Verb::kResize) {
     resize = take_resize(lexicon_, tokens, clause.verb == Verb::kResize ? clause.word : "", false);
-    if (!resize) degrees = take_turn(tokens);
+    if (!resize) degrees = take_turn(tokens, false);
     if (!resize && !degrees) shift = take_shift(lexicon_, tokens, "");
   }
   if (clause.verb == Verb::kRecolor || clause.verb == Verb::kMake || clause.word == "i") drop_to_before_color(lexicon_, tokens);
   clause.document.tokens = std::move(tokens);
   for (const Thing& thing : world_.things()) clause.document.items.push_back({thing.noun, clause.document.groups++});
   chunk(clause);
+  if (clause.verb >= Verb::kUndo) return refusal(clause);
+  LAYOUTBOX_CHECK(check_shade(clause));
+  if (clause.verb == Verb::kTurn && !degrees) degrees = plain_turn(clause);
   if (const auto room = read_room_command(clause, resize, shift)) return *room;
   switch (clause.verb) {
     case Verb::kAdd: return read_add(clause);
@@ -137,9 +141,12 @@ Status EditReader::read_command(const Command& said) {
     case Verb::kRename: return read_rename(clause);
     case Verb::kKeep: return read_keep(clause);
     case Verb::kMention: return read_mention(clause);
+    case Verb::kClear: return read_clear(clause);
+    case Verb::kCopy: return read_copy(clause);
     case Verb::kUndo:
-      return fail(ErrorCode::kParse, "\"" + clause.why + "\" is not a change of the room: what was before is not kept here", "text",
-                  "go on from the layout that this one was made of, unless -o wrote this one over it; in the studio Ctrl+Z undoes");
+    case Verb::kRedo:
+    case Verb::kRearrange:
+    case Verb::kAfresh: return refusal(clause);
     case Verb::kMake:
     case Verb::kRecolor:
     case Verb::kResize:
@@ -165,6 +172,7 @@ Result<EditPlan> EditReader::read() {
     tokens[i].end = tokens[i + 1].end;
     tokens.erase(tokens.begin() + static_cast<std::ptrdiff_t>(i) + 1);
   }
+  recall();
   const std::vector<Command> commands = split_commands(tokens);
   if (commands.empty()) return fail(ErrorCode::kEmpty, "there is nothing in the text", "text", kWhatToSay);
   for (std::size_t i = 0; i < commands.size(); ++i) {

@@ -25,6 +25,7 @@ class EditReader {
   struct Clause {
     Verb verb = Verb::kNone;
     std::string word, why;
+    bool along_wall = false;
     offline::Document document;
     std::vector<PickedAt> picks;
     std::size_t k = 0;                          // the chunk that comes next
@@ -65,6 +66,14 @@ class EditReader {
   Result<EditOpeningPlace> read_wall_place(Clause& clause, const Wall* own_wall, const offline::PhraseSenses& senses);
   Result<EditShift> read_shift_reference(Clause& clause, EditShift way, const Wall* at_wall);
   Status read_keep(Clause& clause);
+  Status read_clear(Clause& clause);
+  Status read_copy(Clause& clause);
+  // What an edit does not do, and what does it.
+  static Failure refusal(const Clause& clause);
+  // "make the walls darker": than what, nobody knows here.
+  static Status check_shade(const Clause& clause);
+  // "turn the sofa", and no more.
+  std::optional<double> plain_turn(const Clause& clause);
   // "I do not like the rug": spoken of, and no more.
   Status read_mention(Clause& clause);
   // "where the desk is": what takes whose place; whether it says that.
@@ -120,8 +129,14 @@ class EditReader {
   EditPlan plan_;
   std::map<std::string, SceneObject> added_;  // by id
   std::vector<std::string> added_openings_;   // ids
-  std::vector<int> last_;                     // what "it" and "them" mean
-  std::vector<int> mentioned_;                // what "the other" is not
+  // What "it" may mean before anything is spoken of here: what the text of the edit before spoke of last, else the room.
+  void recall();
+  EditShift along_wall(EditShift shift, const std::vector<int>& things) const;
+
+  std::vector<int> last_;       // what "it" and "them" mean
+  bool recalled_ = false;       // … from the edit before
+  bool room_last_ = false;      // "it" is the room
+  std::vector<int> mentioned_;  // what "the other" is not
 };
 
 }  // namespace layoutbox::edit

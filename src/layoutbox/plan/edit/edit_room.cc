@@ -48,7 +48,11 @@ std::optional<Status> EditReader::read_room_command(Clause& clause, const std::o
                            resize->sides[1].factor == 1 && resize->sides[1].more == 0 && !resize->sides[1].exact;
   const bool walls = noun.kind == NounKind::kWall && noun.wall_word.empty() && height_only;
   if (noun.kind == NounKind::kCeiling && (resize || clause.verb == Verb::kMove)) return read_room_size(clause, resize, shift);
-  if ((noun.kind == NounKind::kRoom || walls) && resize) return read_room_size(clause, resize, shift);
+  const bool room_meant = noun.kind == NounKind::kPronoun && !noun.is_plural() && last_.empty() && room_last_;  // "make it bigger"
+  if ((noun.kind == NounKind::kRoom || walls || room_meant) && resize) {
+    if (room_meant) plan_.notes.push_back({"warning", "\"" + clause.why + "\": the room is meant, as no thing was spoken of", "text"});
+    return read_room_size(clause, resize, shift);
+  }
   clause.k = 0;
   return std::nullopt;
 }

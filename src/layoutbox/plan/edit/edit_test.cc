@@ -180,6 +180,25 @@ TEST(EditSentences, ErrorsSayWhichKindTheyAre) {
   EXPECT_EQ(code(std::string(200'000, 'a').c_str()), ErrorCode::kTooLarge);
 }
 
+// "It", before anything is named, is what the edit before spoke of; where there was none, of a size: the room's.
+TEST(EditSentences, GoOnFromTheEditBefore) {
+  const auto read = [](const char* prompt, const char* text) {
+    Layout layout = room();
+    layout.prompt = prompt;
+    const auto plan = plan_edit(text, layout, Catalog::builtin());
+    return plan ? text_of(*plan) : "! " + plan.error().message;
+  };
+  EXPECT_EQ(read("A room.\nmove the desk under the window", "make it bigger"), "resize desk_1 x1.25 x1.25 x1.25");
+  EXPECT_EQ(read("A room.\nAdd an armchair.", "Turn it around."), "turn armchair_1 180");
+  EXPECT_EQ(read("A room.\npaint the nightstands red", "make them blue"), "recolor nightstand_1+nightstand_2 blue");
+  EXPECT_EQ(read("A room.\nmake the dining table longer", "make it round"), "recolor dining_table_1 round");
+  EXPECT_EQ(read("A room.\nmake the room wider", "Make it deeper."), "resize room - x1.25 -");
+  EXPECT_EQ(read("A room with a bed.", "make it bigger"), "resize room x1.25 x1.25 x1.25");
+  EXPECT_THAT(read("A room with a bed.", "make it round"), HasSubstr("! what \"it\" means"));
+  EXPECT_THAT(read("A room.\nremove the piano", "make it bigger"), HasSubstr("! what \"it\" means"));
+  EXPECT_THAT(read("A room.\nmove the chair", "make it bigger"), HasSubstr("! what \"it\" means")) << "there are four";
+}
+
 TEST(EditSentences, NewThingsGetIdsOfTheirOwn) {
   const auto plan = plan_edit("Add two chairs and another bed.", room(), Catalog::builtin());
   ASSERT_TRUE(plan) << plan.error().message;

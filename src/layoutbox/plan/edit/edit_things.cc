@@ -175,7 +175,12 @@ Result<EditReader::Found> EditReader::find_things(Clause& clause, const NounPhra
     result.things = itself ? clause.earlier : last_;
     std::erase_if(result.things, [&](int i) { return world_.thing(i).gone; });
     if (result.things.empty()) {
-      return fail(ErrorCode::kReference, "what \"" + words + "\" means in \"" + clause.why + "\" is not said", "text", "name the thing");
+      return fail(ErrorCode::kReference, "what \"" + words + "\" means in \"" + clause.why + "\" is not said", "text",
+                  "name the thing; of the room itself the size, the walls, the floor and the ceiling are edited, no shape and no style");
+    }
+    if (std::exchange(recalled_, false)) {
+      plan_.notes.push_back(
+          {"warning", "\"" + clause.why + "\": " + world_.names(result.things) + ", which was spoken of before, is meant", "text"});
     }
     return result;
   }

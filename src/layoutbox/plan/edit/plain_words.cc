@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "layoutbox/plan/edit/changes_parts.h"
+#include "layoutbox/plan/edit/short_words.h"
 
 namespace layoutbox::edit {
 
@@ -138,6 +139,7 @@ std::size_t facing_at(const Tokens& tokens, std::size_t i) {
 
 Command in_plain_words(const Lexicon& lexicon, const World& world, Command command) {
   if (command.verb == Verb::kMove || command.verb == Verb::kPlace) say_away(command.tokens);
+  say_in_full(lexicon, command);
   if (!says_go(command) && !says_too(command) && !says_ceiling(command)) wants_size(lexicon, world, command);
   return command;
 }
@@ -151,6 +153,10 @@ void drop_properties(Tokens& tokens, const Command& command) {
       erase(tokens, i, i + 3);
     } else if (making && is_at(tokens, i, "'s") && next_is) {
       erase(tokens, i, i + 2);
+    } else if (making && i > 1 && is_at(tokens, i - 2, "the") && is_property(tokens[i].text) &&
+               (i + 1 == tokens.size() || one_of(tokens[i + 1].text, {"to", "is", "should", "into"}))) {  // "the floor color to green"
+      erase(tokens, i, i + 1);
+      if (tokens[i - 1].text == "wall") tokens[i - 1].text = "walls";
     } else if (command.verb == Verb::kSwap && i + 1 == tokens.size() && (is_property(tokens[i].text) || tokens[i].text == "around")) {
       erase(tokens, i, i + 1);
     } else if (i > 0 && (is_at(tokens, i, "new") || (is_at(tokens, i, "more") && command.verb == Verb::kAdd)) &&
