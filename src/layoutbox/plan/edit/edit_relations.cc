@@ -249,8 +249,17 @@ Result<std::vector<Relation>> EditReader::build(Clause& clause) {
     }
   }
   const auto is_new = [&](const std::string& id) { return added_.contains(id); };
-  std::erase_if(scene.relations, [&](const Relation& relation) {  // habits of what was there before
-    return relation.origin == Origin::kAssumed && std::none_of(relation.targets.begin(), relation.targets.end(), is_new);
+  // Of what was there before, nothing is asked but of what is spoken of: no habits, no chairs that a table is found for.
+  std::set<std::string> spoken;
+  for (const Mention& mention : clause.document.mentions) {
+    for (const int item : mention.items) {
+      if (item < static_cast<int>(world_.things().size())) spoken.insert(world_.thing(item).id);
+    }
+  }
+  std::erase_if(scene.relations, [&](const Relation& relation) {
+    if (std::any_of(relation.targets.begin(), relation.targets.end(), is_new)) return false;
+    const auto unspoken = [&](const std::string& id) { return !spoken.contains(id); };
+    return relation.origin == Origin::kAssumed || std::any_of(relation.targets.begin(), relation.targets.end(), unspoken);
   });
   for (Relation& relation : scene.relations) {
     // A window that was named: that one.

@@ -199,6 +199,21 @@ TEST(EditSentences, GoOnFromTheEditBefore) {
   EXPECT_THAT(read("A room.\nmove the chair", "make it bigger"), HasSubstr("! what \"it\" means")) << "there are four";
 }
 
+// Chairs for which a description would find a table stay where they are while something else is moved.
+TEST(EditSentences, AskNothingOfWhatIsNotSpokenOf) {
+  Layout layout = room();
+  const auto gone = [](const PlacedObject& object) {
+    return object.id == "desk_1" || object.id == "desk_chair_1" || object.id == "coffee_table_1";
+  };
+  std::erase_if(layout.objects, gone);
+  for (const char* text :
+       {"Turn the armchair towards the window.", "Move the bed to the left wall.", "Put the plant next to the wardrobe."}) {
+    const auto plan = plan_edit(text, layout, Catalog::builtin());
+    ASSERT_TRUE(plan) << plan.error().message;
+    EXPECT_EQ(plan->steps.size(), 1u) << text << "\n  " << text_of(*plan);
+  }
+}
+
 TEST(EditSentences, NewThingsGetIdsOfTheirOwn) {
   const auto plan = plan_edit("Add two chairs and another bed.", room(), Catalog::builtin());
   ASSERT_TRUE(plan) << plan.error().message;
