@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
 #include <string_view>
 #include <tuple>
-#include <unordered_map>
 #include <utility>
 
 #include "layoutbox/base/words.h"
@@ -34,14 +31,7 @@ namespace {
 
 constexpr Mm kSmallestRoom = 500, kLargestRoom = 100'000, kLowestRoom = 500, kHighestRoom = 50'000;
 constexpr Size kOrdinaryRoom{4000, 3500, 2600};
-// Furniture that stands on the floor of a room whose size is ours to choose covers at most this share of it.
-constexpr double kMostCovered = 0.36;
-// The same with the free floor that the catalogue wants at its sides; neighbours may share some of that, those of a crowd less.
-constexpr double kMostUsed = 0.68, kMostUsedByCrowd = 0.58, kMostCoveredByCrowd = 0.32;
-// … and at least this share of an ordinary room's, down to so much of its area: few things are lost in a room for many.
-constexpr double kLeastUsed = 0.38, kSmallestShare = 0.42, kSmallestArea = 12e6;  // mm²
-constexpr Mm kUnderRidge = 2750;                                                  // of rooms whose ceiling comes down somewhere
-constexpr Point kGridWay{350, 850};                                               // free between the columns and rows of a grid
+constexpr Mm kUnderRidge = 2750;  // of rooms whose ceiling comes down somewhere
 // Rooms that are said to be long or wide: the longer side to the shorter one, and how narrow they get.
 constexpr double kLong = 2.2, kWide = 1.7, kNarrowest = 1900, kOfUsual = 0.75;
 
@@ -50,16 +40,6 @@ Mm rounded_up(double mm) { return static_cast<Mm>(std::ceil(mm / 100 - 1e-9) * 1
 double share_of_box(std::string_view shape) {
   constexpr Mm kUnit = 60'000;
   return static_cast<double>(doubled_area(room_outline(shape, kUnit, kUnit))) / 2.0 / (double{kUnit} * kUnit);
-}
-
-// Of the strips that the catalogue wants free at its sides, mm².
-double wanted_floor(const CatalogEntry& entry, const Size& size) {
-  double area = 0;
-  for (const auto& [side, depth] : entry.clearance) {
-    const bool long_side = side == Side::kFront || side == Side::kBack;
-    area += double(long_side ? size.width : size.depth) * depth;
-  }
-  return area;
 }
 
 class RoomNormalizer {
@@ -157,7 +137,7 @@ class RoomNormalizer {
       w *= scale;
       d *= scale;
       if (scale != 1) reason = fmt::format("\"{}\"", room_.size_word);
-      const double grown = growth(w * d * share, std::max(w, d));
+      const double grown = growth_for_furniture(context_, w * d * share, std::max(w, d));
       const double factor = grown * growth_for_distances(context_, w * grown, d * grown) * context_.options.room_growth;
       if (factor > 1.001) reason += ", grown to hold its furniture";
       if (factor < 0.999) reason += ", smaller as little stands in it";
@@ -179,64 +159,6 @@ class RoomNormalizer {
                                    std::min({kNarrowest, even, kOfUsual * std::min(usual_.width, usual_.depth)}));
     const double shorter = std::round(narrow / kGridMm) * kGridMm, longer = std::round(area / shorter / kGridMm) * kGridMm;
     return room_.shape == "long" ? std::pair{shorter, longer} : std::pair{longer, shorter};
-  }
-
-  // By how much both sides must grow so that the floor holds what stands on it, and the longest piece fits along a wall; or may shrink
-  // where little stands there and nobody spoke of the room's size.
-  double growth(double area, double longest_side) const {
-    double covered = 0, used = 0, longest = 0;
-    const std::set<std::string_view> in_grids = ids_in_grids(), in_classes = kinds_in_classes();
-    for (const SceneObject& object : context_.scene.objects) {
-      const CatalogEntry& entry = context_.catalog.entry_or_nearest(object.category);
-      if (object.mount != Mount::kFloor || !object.size || (entry.thin && !entry.lain_on)) continue;
-      const Size& size = object.size->usual;
-      covered += double(size.width) * size.depth;
-      const bool in_rows = in_grids.contains(object.id) || in_classes.contains(object.category);
-      used += in_rows ? double(size.width + kGridWay.x) * (size.depth + kGridWay.y)
-                      : double(size.width) * size.depth + wanted_floor(entry, size);
-      longest = std::max({longest, double(size.width), double(size.depth)});
-    }
-    const double factor = room_size_factor(room_.size_word);
-    // A tiny room is smaller than an ordinary one for as little, and fuller.
-    const bool may_shrink = (room_.size_word.empty() || factor < 1) && used > 0;
-    const double least = may_shrink ? std::sqrt(std::clamp(used * factor / kLeastUsed / area,
-                                                           std::min(1.0, std::max(kSmallestShare, factor * kSmallestArea / area)), 1.0))
-                                    : 1.0;
-    const bool crowd = holds_crowd();
-    return std::max({least, std::sqrt(covered / (crowd ? kMostCoveredByCrowd : kMostCovered) / area),
-                     std::sqrt(used / (crowd ? kMostUsedByCrowd : kMostUsed) / area), (longest + 600) / longest_side});
-  }
-
-  // A ward's beds, a cafe's tables, an audience: each wants its floor for itself.
-  bool holds_crowd() const {
-    constexpr int kMany = 6, kManySeats = 20;
-    std::map<std::string, int> of_kind;
-    return std::ranges::any_of(context_.scene.objects, [&](const SceneObject& object) {
-      const CatalogEntry& entry = context_.catalog.entry_or_nearest(object.category);
-      return object.mount == Mount::kFloor && ++of_kind[entry.id] >= (entry.is(Trait::kSeat) ? kManySeats : kMany);
-    });
-  }
-
-  std::set<std::string_view> ids_in_grids() const {
-    std::set<std::string_view> ids;
-    for (const Relation& r : context_.scene.relations) {
-      if (r.type == RelationType::kGrid) ids.insert(r.targets.begin(), r.targets.end());
-    }
-    return ids;
-  }
-
-  // Of which many are turned alike, as the desks of a class are; seats have their clearances.
-  std::set<std::string_view> kinds_in_classes() const {
-    constexpr int kClass = 8;
-    std::unordered_map<std::string_view, std::string_view> kinds;  // by id
-    for (const SceneObject& object : context_.scene.objects) kinds.emplace(object.id, object.category);
-    std::unordered_map<std::string_view, int> turned_alike;
-    std::set<std::string_view> in_classes;
-    for (const Relation& r : context_.scene.relations) {
-      const auto kind = r.type == RelationType::kSameOrientation && r.targets.size() == 1 ? kinds.find(r.targets[0]) : kinds.end();
-      if (kind != kinds.end() && ++turned_alike[kind->second] + 1 >= kClass) in_classes.insert(kind->second);
-    }
-    return in_classes;
   }
 
   void settle_height() {

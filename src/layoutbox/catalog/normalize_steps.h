@@ -58,6 +58,10 @@ void normalize_room(NormalizeContext& context);
 // Walls, places and sizes of doors and windows; one of each where nobody spoke of any. REQUIRES: outline and height are known.
 void normalize_openings(NormalizeContext& context);
 
+// By how much both sides of a room of that area must grow so that the floor holds what stands on it, and the longest piece fits along a
+// wall; or may shrink where little stands there and nobody spoke of the room's size.
+double growth_for_furniture(const NormalizeContext& context, double area, double longest_side);
+
 // By how much a room of that size must grow so that distances and heights that words ask for find room in it, given how large things are.
 double growth_for_distances(const NormalizeContext& context, double width, double depth);
 

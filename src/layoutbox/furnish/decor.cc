@@ -6,6 +6,7 @@
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/furnish/decor_data.h"
+#include "layoutbox/furnish/decor_style.h"
 #include "layoutbox/furnish/palette.h"
 #include "layoutbox/furnish/room_look.h"
 
@@ -27,27 +28,10 @@ const auto& one_of(const List& list, std::uint64_t number) {
 
 Color color_of(const Json& json) { return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()}; }
 
-struct RoomStyle {
-  std::string name;
-  const Json* data = nullptr;
-};
-
-constexpr std::size_t kLongestName = 24;  // characters that tell a thing's name from a style
-
 std::string lower_case(std::string_view text) {
   std::string lower;
   for (const char c : text) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return lower;
-}
-
-// "Loft bed": words of a style that are of a thing's name.
-bool names_a_thing(std::string_view text) {
-  const std::string lower = lower_case(text);
-  return std::ranges::any_of(decor_data().at("no_styles"), [&](const Json& name) {
-    const auto phrase = name.get<std::string>();
-    const bool over = lower.size() <= phrase.size() || std::isalpha(static_cast<unsigned char>(lower[phrase.size()])) == 0;
-    return over && lower.starts_with(phrase);
-  });
 }
 
 // Whole words only.
@@ -57,36 +41,6 @@ bool says_word(std::string_view text, std::string_view phrase) {
     if ((at == 0 || !is_letter(at - 1)) && !is_letter(at + phrase.size())) return true;
   }
   return false;
-}
-
-// "make it dark": where no style is named, what the room is to feel like.
-RoomStyle mood_of(std::string_view text) {
-  const std::string lower = lower_case(text) + ".";  // phrases may end a sentence
-  for (const auto& [name, mood] : decor_data().at("moods").items()) {
-    const bool said = std::ranges::any_of(mood.at("says"),
-                                          [&](const Json& phrase) { return lower.find(phrase.get<std::string>()) != std::string::npos; });
-    if (said) return {name, &mood};
-  }
-  return {};
-}
-
-// The style that a text names first; without data where it names none.
-RoomStyle style_of(std::string_view text) {
-  std::string word;
-  for (std::size_t i = 0; i <= text.size(); ++i) {
-    const char c = i < text.size() ? static_cast<char>(std::tolower(static_cast<unsigned char>(text[i]))) : ' ';
-    if (std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '-') {
-      word += c;
-      continue;
-    }
-    if (word.size() > 2 && !names_a_thing(text.substr(i - word.size(), kLongestName))) {
-      for (const auto& [words, style] : decor_data().at("styles").items()) {
-        if (lists(words, word)) return {words.substr(0, words.find(' ')), &style};
-      }
-    }
-    word.clear();
-  }
-  return mood_of(text);
 }
 
 const Json& room_data(std::string_view kind) {

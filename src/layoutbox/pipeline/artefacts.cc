@@ -44,4 +44,8 @@ constexpr std::array kArtefacts{
 
 std::span<const Artefact> artefacts() { return kArtefacts; }
 
+bool is_output_name(std::string_view name) {
+  return is_variant_name(name) || std::ranges::any_of(artefacts(), [name](const Artefact& one) { return one.file == name; });
+}
+
 }  // namespace layoutbox

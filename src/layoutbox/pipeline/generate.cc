@@ -11,10 +11,13 @@
 #include "layoutbox/base/words.h"
 #include "layoutbox/judge/drawn_room.h"
 #include "layoutbox/pipeline/artefacts.h"
+#include "layoutbox/pipeline/fitted_room.h"
 #include "layoutbox/pipeline/repair.h"
 #include "layoutbox/pipeline/run_folder.h"
 #include "layoutbox/pipeline/run_pictures.h"
 #include "layoutbox/pipeline/run_record.h"
+#include "layoutbox/pipeline/run_variants.h"
+#include "layoutbox/pipeline/run_words.h"
 #include "layoutbox/pipeline/variants.h"
 #include "layoutbox/scene/scene_json.h"
 
@@ -53,22 +56,11 @@ class RoomRun {
  private:
   using Clock = std::chrono::steady_clock;
 
-  bool stopped() const { return options_.stop && options_.stop->load(); }
-
-  Status check_stopped() const {
-    if (stopped()) return fail(ErrorCode::kInterrupted, "stopped", {}, "what was finished is kept");
-    return {};
-  }
-
   void begin() { started_ = Clock::now(); }
 
   void finish(std::string stage, std::string summary) {
     outcome_.stages.push_back({std::move(stage), std::chrono::duration<double>(Clock::now() - started_).count(), std::move(summary)});
     if (options_.on_stage) options_.on_stage(outcome_.stages.back());
-  }
-
-  std::string scene_in_words() const {
-    return counted(outcome_.scene.objects.size(), "object") + ", " + counted(outcome_.scene.relations.size(), "relation");
   }
 
   Status record(const Error* failure) {
@@ -85,7 +77,7 @@ class RoomRun {
     begin();
     LAYOUTBOX_ASSIGN(plan_, planner.plan(prompt_, options_.plan));
     LAYOUTBOX_ASSIGN(outcome_.scene, prepare_plan(*plan_, catalog_, options_));
-    finish("plan", scene_in_words());
+    finish("plan", scene_in_words(outcome_.scene));
     return {};
   }
 
@@ -104,7 +96,7 @@ class RoomRun {
   void take_room(PlannedRoom room) {
     outcome_.scene = std::move(room.scene);
     given_ = std::move(room.layout);
-    finish("plan", scene_in_words() + "; " + planning_->cost_in_words());
+    finish("plan", scene_in_words(outcome_.scene) + "; " + planning_->cost_in_words());
   }
 
   // What was asked in vain is worth keeping, but not in the place of an earlier run.
@@ -140,44 +132,35 @@ class RoomRun {
   Status take(SceneGraph scene) {
     begin();
     outcome_.scene = std::move(scene);
-    finish("plan", scene_in_words());
+    finish("plan", scene_in_words(outcome_.scene));
     return {};
   }
 
   Status normalize(SceneGraph scene) {
     LAYOUTBOX_ASSIGN(outcome_.scene, prepare_scene(std::move(scene), catalog_, options_));
-    finish("plan", scene_in_words());
+    finish("plan", scene_in_words(outcome_.scene));
     return {};
   }
 
   Status run_stages() {
     LAYOUTBOX_CHECK(folder_.write_artefacts(Stage::kPlan, room()));
-    LAYOUTBOX_CHECK(check_stopped());
+    LAYOUTBOX_CHECK(check_stopped(options_.stop));
     LAYOUTBOX_CHECK(solve_scene());
-    LAYOUTBOX_CHECK(check_stopped());
+    LAYOUTBOX_CHECK(check_stopped(options_.stop));
     LAYOUTBOX_CHECK(dress_layouts());
     LAYOUTBOX_CHECK(furnish_layout());
     LAYOUTBOX_CHECK(verify_layout());
-    LAYOUTBOX_CHECK(check_stopped());
+    LAYOUTBOX_CHECK(check_stopped(options_.stop));
     LAYOUTBOX_CHECK(make_variants());
     if (!options_.pictures) return {};
     LAYOUTBOX_CHECK(render(0));
     return render_variants();
   }
 
-  // Each of the other layouts has the same files, under names of its own.
   Status make_variants() {
     if (outcome_.more_layouts.empty()) return {};
     begin();
-    for (std::size_t k = 1; k <= outcome_.more_layouts.size(); ++k) {
-      LAYOUTBOX_CHECK(check_stopped());
-      const Layout& layout = outcome_.more_layouts[k - 1];
-      LAYOUTBOX_ASSIGN(const Model model, furnish(layout, catalog_, options_.furnish));
-      const Report report = verify_with_furniture(layout, model, catalog_, options_.verify);
-      for (const Stage stage : {Stage::kExport, Stage::kVerify}) {
-        LAYOUTBOX_CHECK(folder_.write_artefacts(stage, {catalog_, outcome_.scene, layout, model, report, options_}, k));
-      }
-    }
+    LAYOUTBOX_CHECK(write_variants(folder_, room(), outcome_.more_layouts));
     finish("variants", counted(outcome_.more_layouts.size(), "more layout") + " furnished, exported and verified");
     return {};
   }
@@ -185,7 +168,7 @@ class RoomRun {
   // What the picture of one of them costs is not asked of the others again.
   Status render_variants() {
     for (std::size_t k = 1; k <= outcome_.more_layouts.size() && !outcome_.picture_error; ++k) {
-      LAYOUTBOX_CHECK(check_stopped());
+      LAYOUTBOX_CHECK(check_stopped(options_.stop));
       LAYOUTBOX_CHECK(render(k));
     }
     return {};
@@ -204,57 +187,10 @@ class RoomRun {
     if (added == 0 && outcome_.more_layouts.empty()) return {};
     folder_.forget_files();
     LAYOUTBOX_CHECK(folder_.write_artefacts(Stage::kPlan, room()));
-    LAYOUTBOX_CHECK(write_more_layouts());
+    LAYOUTBOX_CHECK(write_variant_layouts(folder_, room(), outcome_.more_layouts));
     LAYOUTBOX_CHECK(folder_.write_artefacts(Stage::kSolve, room()));
     finish("dress", counted(added, "thing") + " where it was free");
     return {};
-  }
-
-  Status write_more_layouts() {
-    for (std::size_t k = 1; k <= outcome_.more_layouts.size(); ++k) {
-      const RoomSoFar one{catalog_, outcome_.scene, outcome_.more_layouts[k - 1], model_, outcome_.report, options_};
-      LAYOUTBOX_CHECK(folder_.write_artefacts(Stage::kSolve, one, k));
-    }
-    return {};
-  }
-
-  // A room of which nobody says how large it is was guessed too small where not all that is asked for has a place in it, or only things
-  // smaller than they usually are.
-  Result<std::vector<Layout>> solve_where_it_fits() {
-    LAYOUTBOX_ASSIGN(std::vector<Layout> layouts, solve_variants(outcome_.scene, catalog_, options_.solve, options_.variants));
-    for (const double growth : {1.15, 1.3}) {
-      SolveOptions rest = options_.solve;  // all of it within the one limit
-      rest.time_limit_s -= std::chrono::duration<double>(Clock::now() - started_).count();
-      if (!plan_ || stopped() || rest.time_limit_s <= 0 || (!lacks_room(layouts.front()) && !is_cramped(layouts.front()))) break;
-      GenerateOptions larger = options_;
-      larger.normalize.room_growth = growth;
-      auto scene = prepare_plan(*plan_, catalog_, larger);
-      if (!scene || scene->room.polygon == outcome_.scene.room.polygon) break;
-      auto again = solve_variants(*scene, catalog_, rest, options_.variants);
-      if (!again || !has_more_room(again->front(), layouts.front())) continue;
-      outcome_.scene = std::move(*scene);
-      layouts = std::move(*again);
-      LAYOUTBOX_CHECK(folder_.write_artefacts(Stage::kPlan, room()));
-    }
-    return layouts;
-  }
-
-  // Where relations contradict each other whatever the sizes are, no room is large enough.
-  static bool lacks_room(const Layout& layout) {
-    if (layout.status == LayoutStatus::kFallback || layout.relaxed.empty()) return false;
-    return layout.conflicts.empty() || std::ranges::any_of(layout.conflicts, [](const Conflict& c) { return !c.objects.empty(); });
-  }
-
-  // Most rooms are made to fit their furniture, not the other way round.
-  static bool is_cramped(const Layout& layout) {
-    constexpr double kMostShrunk = 0.8;  // of the score for usual sizes: two steps below them and more
-    const auto sizes = layout.score_terms.find("sizes");
-    return layout.status != LayoutStatus::kFallback && sizes != layout.score_terms.end() && sizes->second < kMostShrunk;
-  }
-
-  static bool has_more_room(const Layout& larger, const Layout& room) {
-    if (larger.relaxed.size() != room.relaxed.size()) return larger.relaxed.size() < room.relaxed.size();
-    return is_cramped(room) && larger.score > room.score;
   }
 
   Status solve_scene() {
@@ -263,19 +199,21 @@ class RoomRun {
     if (given_) {
       outcome_.layout = *std::exchange(given_, std::nullopt);
     } else {
-      LAYOUTBOX_ASSIGN(std::vector<Layout> layouts, solve_where_it_fits());
+      LAYOUTBOX_ASSIGN(FittedRoom fitted, solve_where_it_fits(outcome_.scene, plan_ ? &*plan_ : nullptr, catalog_, options_, started_));
+      if (fitted.larger) {
+        outcome_.scene = std::move(*fitted.larger);
+        LAYOUTBOX_CHECK(folder_.write_artefacts(Stage::kPlan, room()));
+      }
+      std::vector<Layout>& layouts = fitted.layouts;
       for (std::size_t k = 1; k < layouts.size(); ++k) others += fmt::format("; variant {}: {}", k + 1, variant_in_words(layouts, k));
       outcome_.layout = std::move(layouts[0]);
       outcome_.more_layouts.assign(std::make_move_iterator(layouts.begin() + 1), std::make_move_iterator(layouts.end()));
-      LAYOUTBOX_CHECK(write_more_layouts());
+      LAYOUTBOX_CHECK(write_variant_layouts(folder_, room(), outcome_.more_layouts));
     }
     const Layout& layout = outcome_.layout;
     if (loop_) started_ = Clock::now() - std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(layout.stats.seconds));
     LAYOUTBOX_CHECK(folder_.write_artefacts(Stage::kSolve, room()));
-    const auto held = std::count_if(layout.relations.begin(), layout.relations.end(), [](const auto& r) { return r.held; });
-    std::string given_up = layout.relaxed.empty() ? "" : fmt::format(", {} given up", layout.relaxed.size());
-    finish("solve", fmt::format("{} of {} held{} ({}){}", held, counted(layout.relations.size(), "relation"), given_up, layout.stats.solver,
-                                others));
+    finish("solve", solved_in_words(layout) + others);
     return {};
   }
 
@@ -293,10 +231,7 @@ class RoomRun {
     begin();
     outcome_.report = verify_with_furniture(outcome_.layout, model_, catalog_, options_.verify);
     LAYOUTBOX_CHECK(folder_.write_artefacts(Stage::kVerify, room()));
-    const auto& checks = outcome_.report.checks;
-    const auto failed = std::count_if(checks.begin(), checks.end(), [](const Check& c) { return c.required && !c.passed; });
-    finish("verify", failed == 0 ? fmt::format("all {} checks passed or warned", checks.size())
-                                 : counted(static_cast<std::size_t>(failed), "check") + " failed");
+    finish("verify", verified_in_words(outcome_.report));
     return {};
   }
 
@@ -361,10 +296,6 @@ Result<GenerateOutcome> generate_from_layout(SceneGraph scene, Layout layout, co
   RoomRun run(prompt, catalog, folder, options);
   run.use(std::move(layout));
   return run(nullptr, std::move(scene));
-}
-
-bool is_output_name(std::string_view name) {
-  return is_variant_name(name) || std::ranges::any_of(artefacts(), [name](const Artefact& one) { return one.file == name; });
 }
 
 }  // namespace layoutbox

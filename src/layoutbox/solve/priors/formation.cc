@@ -9,13 +9,9 @@
 namespace layoutbox::placement {
 namespace {
 
-constexpr Mm kBehindSeats = 300;     // left free behind and before rows of seats, and round mats
-constexpr Mm kSeatRoom = 850;        // behind a desk: the chair, and somebody getting up
-constexpr Mm kForSeveral = 1500;     // so wide a seat is for several: an aisle leads to its ends
-constexpr Mm kBackOfSeat = 130;      // what of a chair stays before the edge
-constexpr Mm kBeforeKneeless = 100;  // from what one sits before without room for the knees
-constexpr Mm kSeatOfIsland = 450;    // what the seats take at either side of an island of desks
-constexpr Mm kBetweenIslands = 1500, kBetweenDesks = 20;
+constexpr Mm kBehindSeats = 300;        // left free behind and before rows of seats, and round mats
+constexpr Mm kSeatRoom = 850;           // behind a desk: the chair, and somebody getting up
+constexpr Mm kForSeveral = 1500;        // so wide a seat is for several: an aisle leads to its ends
 constexpr Mm kRoundReception = 2100;    // behind a reception desk, with who sits there, and before it
 constexpr Mm kRoundCounter = 1100;      // behind a counter, and before it
 constexpr int kOneRow = 5;              // so few seats that look at something sit in one row
@@ -37,9 +33,6 @@ std::pair<Mm, Mm> gaps_of(const Item& item) {
   if (item.has_front) return item.is_seat ? std::pair<Mm, Mm>{80, 700} : std::pair<Mm, Mm>{100, 1200};
   return {500, 500};
 }
-
-Mm lo_of(const PlacementModel& model, const PartOfRoom& part, int axis) { return part.axis == axis ? part.lo : model.room.lo[axis]; }
-Mm hi_of(const PlacementModel& model, const PartOfRoom& part, int axis) { return part.axis == axis ? part.hi : model.room.hi[axis]; }
 
 }  // namespace
 
@@ -238,101 +231,6 @@ void add_formation_place(Formula& f, const PlacementModel& model, const Formatio
     const Direction ahead = side_direction(model.items[item], eyes, turn);
     places.add(across(ahead), states, ahead.sign, of.columns > 0 && across(ahead) == 1);
   });
-}
-
-void add_island_place(Formula& f, const PlacementModel& model, const FormationOf& of) {
-  const std::vector<ItemId>& group = of.group;
-  const int k = of.k, pairs = (static_cast<int>(group.size()) + 1) / 2, pair = k / 2;
-  const ItemId item = group[k];
-  const Size& desk = model.items[group[0]].states[0].size;
-  const auto extent = [&](int axis) { return hi_of(model, of.part, axis) - lo_of(model, of.part, axis); };
-  const Size island{desk.width, 2 * (desk.depth + kSeatOfIsland), desk.height};
-  for_each_turn(model.items[item], [&](int turn, std::uint64_t states) {
-    if (!quarter(turn)) return;
-    // Of a pair the first has the side that is looked out over (its front where the seats are told to be behind it) up the axis, the second
-    // down.
-    const Direction back = side_direction(model.items[item], looking_side(model, item), turn);
-    if (back.sign != (k % 2 == 0 ? 1 : -1)) return;
-    const int row_axis = across(back);
-    Formation form{0, 0, 0};
-    for (int tenths = 10; tenths > 0 && form.columns == 0; tenths -= 3) {
-      form = formation_of(pairs, island, kBetweenDesks, kBetweenIslands * tenths / 10, extent(row_axis), extent(back.axis));
-    }
-    if (form.columns == 0) return;
-    const int rows = (pairs + form.columns - 1) / form.columns;
-    // Twice the way of an island's middle from the room's, along the row and from row to row.
-    const auto place_of = [&](int one) {
-      const int row = one / form.columns, column = one % form.columns;
-      const int here = row + 1 == rows ? pairs - row * form.columns : form.columns;
-      return std::pair{std::int64_t{form.across} * (2 * column - (here - 1)), std::int64_t{form.deep} * (2 * row - (rows - 1))};
-    };
-    Case& c = f.add().when(item, states);
-    const auto wish_at = [&](int axis, std::int64_t twice) {
-      c.wish(mid2(item, axis) - Linear(std::int64_t{lo_of(model, of.part, axis)} + hi_of(model, of.part, axis) + twice), of.weight, 2);
-    };
-    const auto [along, deep] = place_of(pair);
-    wish_at(row_axis, along);
-    wish_at(back.axis, deep - std::int64_t{back.sign} * desk.depth);
-    if (k == 0) return;
-    // In line with its mate, back to back, or with the island beside or before.
-    const bool mate = k % 2 == 1;
-    const int neighbour = mate ? pair : pair % form.columns > 0 ? pair - 1 : pair - form.columns;
-    const ItemId other = group[2 * neighbour];
-    const auto [next_along, next_deep] = place_of(neighbour);
-    c.wish(mid2(item, row_axis) - mid2(other, row_axis) - Linear(along - next_along), of.in_line, 2);
-    c.wish(mid2(item, back.axis) - mid2(other, back.axis) - Linear(deep - next_deep - (mate ? 2 * back.sign * desk.depth : 0)), of.in_line,
-           2);
-  });
-  // Both of a pair have their cases in the same order: those along y first.
-  if (k % 2 == 1) std::ranges::reverse(f.cases);
-}
-
-void add_seat_place(Formula& f, const PlacementModel& model, ItemId seat, ItemId table, int k, int n, int weight, bool long_sides) {
-  const Item &chair = model.items[seat], &host = model.items[table];
-  const Size &size = host.states[0].size, &own = chair.states[0].size;
-  Side side = used_side(host);
-  int place = k, places = n;
-  if (long_sides) {
-    const bool wide = size.width >= size.depth;
-    side = k % 2 == 0 ? (wide ? Side::kFront : Side::kLeft) : wide ? Side::kBack : Side::kRight;
-    place = k / 2, places = k % 2 == 0 ? (n + 1) / 2 : n / 2;
-  } else if (!host.has_front) {
-    const auto ways = seatings(n, size.width, size.depth, own.width, false, 1);
-    if (ways.empty()) return;
-    const Seats& seats = ways[0].first;
-    constexpr std::array kSides{Side::kFront, Side::kBack, Side::kLeft, Side::kRight};
-    int s = 0;
-    while (s < 3 && place >= seats[s]) place -= seats[s++];
-    side = kSides[s], places = std::max(1, seats[s]);
-  }
-  for_each_turn(host, [&](int turn, std::uint64_t states) {
-    if (turn % 90 != 0) return;
-    const Direction d = side_direction(host, side, turn);
-    std::uint64_t facing = 0;
-    for_each_turn(chair, [&](int chair_turn, std::uint64_t chair_states) {
-      if (!chair.has_front || (chair_turn % 90 == 0 && side_direction(chair, Side::kFront, chair_turn) == opposite(d)))
-        facing |= chair_states;
-    });
-    Case& c = f.add().when(table, states);
-    if (facing) c.when(seat, facing);
-    // places · mid2(seat) = 2 · places · lo(table) + (2 · place + 1) · extent(table)
-    c.wish(places * mid2(seat, across(d)) - 2 * places * lo(table, across(d)) - (2 * place + 1) * extent(table, across(d)), weight,
-           2 * places);
-    // One alone goes under as far as its back allows.
-    const Mm under = n == 1 && host.has_front ? std::max(kTucked, own.depth - kBackOfSeat) : std::min<Mm>(kTucked, own.depth / 2);
-    c.wish(gap_towards(seat, table, d) + Linear(has_knee_room(host) ? under : -kBeforeKneeless), weight);
-    c.require(reach(seat, d) - reach(table, d));
-  });
-  if (host.spans < 0 || side != Side::kFront) return;
-  for (const State& state : host.states) {  // before a desk at a slanted wall, looking at it
-    const std::uint64_t states = states_at_angle(host, state.angle, 360), facing = states_at_angle(chair, state.angle + 180, 360);
-    if (is_quarter(state) || !facing || !(states & host.odd_states)) continue;
-    const std::size_t known = f.cases.size();
-    add_beside(f, model, seat, table, side, {.most = 600, .wished_gap = 10, .ref_states = states});
-    for (std::size_t i = known; i < f.cases.size(); ++i) {
-      f.cases[i].when(seat, facing).wishes[0].weight = weight;
-    }
-  }
 }
 
 }  // namespace layoutbox::placement

@@ -33,6 +33,10 @@ struct PartOfRoom {
   Mm lo = 0, hi = 0;
 };
 
+// Where along an axis such a part begins and ends.
+inline Mm lo_of(const PlacementModel& model, const PartOfRoom& part, int axis) { return part.axis == axis ? part.lo : model.room.lo[axis]; }
+inline Mm hi_of(const PlacementModel& model, const PartOfRoom& part, int axis) { return part.axis == axis ? part.hi : model.room.hi[axis]; }
+
 // The parts of several formations, in their order: the longer side is shared out by the floor that each wants.
 std::vector<PartOfRoom> parts_of_room(const PlacementModel& model, const std::vector<std::vector<ItemId>>& groups);
 

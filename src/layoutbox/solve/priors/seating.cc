@@ -11,58 +11,9 @@
 namespace layoutbox::placement {
 namespace {
 
-constexpr Mm kSquare = 150;  // sides that differ by less are alike
-constexpr int kSqueezed = 60;
 constexpr std::size_t kOfSides = 10, kOfCircle = 40;  // ways to share seats out over the sides; few of them are a circle
 
 constexpr std::array kSides{Side::kFront, Side::kBack, Side::kLeft, Side::kRight};
-
-struct Arm {
-  double x, y;
-};
-
-// 0 (one heap) to 1 (like distances, like angles), the measure of SceneEval for "surround".
-double evenness(const std::vector<Arm>& arms) {
-  const std::size_t n = arms.size();
-  if (n < 2) return 1;
-  std::vector<double> lengths, angles;
-  for (const Arm& a : arms) {
-    lengths.push_back(std::hypot(a.x, a.y));
-    angles.push_back(std::atan2(a.y, a.x));
-  }
-  std::vector<double> sorted = lengths;
-  std::sort(sorted.begin(), sorted.end());
-  const double typical = n % 2 ? sorted[n / 2] : (sorted[n / 2 - 1] + sorted[n / 2]) / 2;
-  const double ideal = 2 * kPi / static_cast<double>(n);
-  double total = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    double next = 2 * kPi;
-    for (std::size_t j = 0; j < n; ++j) {
-      if (i == j) continue;
-      const double turn = std::fmod(angles[j] - angles[i] + 4 * kPi, 2 * kPi);
-      next = std::min(next, turn);
-    }
-    const double off_distance = std::min(1.0, std::abs(lengths[i] - typical) / typical),
-                 off_angle = std::min(1.0, std::abs(next - ideal) / ideal);
-    total += (0.5 * (1 - off_distance) * (1 - off_distance) + 0.5 * (1 - off_angle) * (1 - off_angle)) / static_cast<double>(n);
-  }
-  return total;
-}
-
-std::vector<Arm> arms_of(const Seats& seats, Mm width, Mm depth, Mm out) {
-  std::vector<Arm> arms;
-  for (int s = 0; s < 4; ++s) {
-    const double length = s < 2 ? width : depth, off = (s < 2 ? depth : width) / 2.0 + out;
-    for (int k = 0; k < seats[s]; ++k) {
-      const double along = length * (2 * k + 1) / (2.0 * seats[s]) - length / 2;
-      if (s == 0) arms.push_back({along, -off});
-      if (s == 1) arms.push_back({along, off});
-      if (s == 2) arms.push_back({-off, along});
-      if (s == 3) arms.push_back({off, along});
-    }
-  }
-  return arms;
-}
 
 // A stove, a statue, a pit: what one sits round at a distance, for it is neither a table nor stands in for one.
 bool is_sat_off(const Item& table) {
@@ -155,70 +106,6 @@ void add_case(Formula& f, Compilation& c, ItemId r, int table_turn, std::uint64_
   f.cases.push_back(std::move(in));
 }
 
-// With both at their usual sizes: does a seat whose middle is so far off the table's stand in it?
-bool stands_in(const Compilation& c, ItemId seat, std::uint64_t facing, ItemId table, const Mm (&off)[2]) {
-  const State &s = c.item(seat).states[static_cast<std::size_t>(std::countr_zero(facing))], &t = c.item(table).states[0];
-  Placement of_seat{std::countr_zero(facing), {}}, of_table{0, {}};
-  for (int axis = 0; axis < 2; ++axis) of_seat.at[axis] = off[axis] + (t.extent[axis] - s.extent[axis]) / 2;
-  return collide(c.model, seat, of_seat, table, of_table, false);
-}
-
-// Which states of the seat look to the middle from that angle. At angle 0 it stands before the table and looks to the back: half round
-// from the turn of the table's own front.
-std::uint64_t looks_inwards(const Item& seat, int angle) {
-  std::uint64_t facing = 0;
-  for_each_turn(seat, [&](int turn, std::uint64_t states) {
-    if (turn == (angle + 180) % 360 || !seat.has_front) facing |= states;
-  });
-  return facing;
-}
-
-// One seat at that angle of the circle, so far from the middle. Does it stand clear of the table?
-bool add_to_circle(Case& in, const Compilation& c, ItemId t, ItemId r, int angle, std::uint64_t facing, double away, Mm most) {
-  const double x = std::sin(radians_from_degrees(angle)) * away, y = -std::cos(radians_from_degrees(angle)) * away;
-  const Mm place[2] = {static_cast<Mm>(std::lround(x)), static_cast<Mm>(std::lround(y))};
-  const Mm play2 = std::min<Mm>(60, static_cast<Mm>(away) / 5);  // so little that it still looks at the middle
-  Mm outer[2];
-  in.when(t, facing);
-  for (int axis = 0; axis < 2; ++axis) {
-    outer[axis] = place[axis] + (place[axis] > 0 ? play2 / 2 : place[axis] < 0 ? -play2 / 2 : 0);
-    const Linear off = mid2(t, axis) - mid2(r, axis) - Linear(2 * place[axis]);
-    in.require_small(off, play2).wish(off, 50, 2);
-  }
-  in.require(Linear(most) - gap_towards(t, r, {1, angle < 90 || angle > 270 ? -1 : 1}));
-  return !stands_in(c, t, facing, r, outer);
-}
-
-// Seats on a circle at multiples of 15°, turned to the middle; the circle as small as the seats' boxes allow. Who comes first takes the
-// smallest: one on which another would stand in the table is offered only where all are so.
-void add_circle(Formula& f, Compilation& c, ItemId r, Mm most) {
-  const Item& table = c.item(r);
-  const int n = static_cast<int>(c.targets.size());
-  const Size& size = table.states[0].size;
-  std::vector<Case> narrow;
-  const std::size_t before = f.cases.size();
-  for (const int shift : {0, 15, 30, 45}) {
-    for (const Mm extra : {0, 100, 200, 300}) {
-      Case in;
-      in.price = extra / 2 + (shift % 45 ? 10 : 0);
-      bool possible = true, free = true;
-      for (int k = 0; k < n && possible; ++k) {
-        const int angle = (static_cast<int>(std::lround(360.0 * k / n / 15)) * 15 + shift) % 360;  // where it stands: 0 = front
-        const ItemId t = c.targets[k];
-        const Item& seat = c.item(t);
-        const std::uint64_t facing = looks_inwards(seat, angle);
-        possible = facing != 0;
-        if (!possible) break;
-        const double away =
-            std::min(size.width, size.depth) / 2.0 + seat.states[0].size.depth * 0.5 - 0.4 * seat.states[0].size.depth + extra;
-        free = add_to_circle(in, c, t, r, angle, facing, away, most) && free;
-      }
-      if (possible) (free ? f.cases : narrow).push_back(std::move(in));
-    }
-  }
-  if (f.cases.size() == before) std::ranges::move(narrow, std::back_inserter(f.cases));
-}
-
 // What has no front has its sides by the room (`side_direction`): turned by a quarter, its width is along the other two.
 Size size_by_sides(const Item& table, int turn) {
   Size size = table.states[0].size;
@@ -236,42 +123,6 @@ bool is_circle(const Item& table) {
   const Size& size = table.states[0].size;
   return table.entry != nullptr && is_round(*table.object, *table.entry) && std::abs(size.width - size.depth) <= 100;
 }
-
-// The less even, the more crowded and the less usual, the dearer.
-int price_of(const Seats& s, int n, Mm width, Mm depth, Mm seat_width, bool circle) {
-  const double even = n == 1 ? 1 : evenness(arms_of(s, width, depth, seat_width / 2 - measures().pushed_under));
-  int price = static_cast<int>((1 - even) * (circle ? 600 : 300));
-  price += 40 * (std::abs(s[0] - s[1]) + std::abs(s[2] - s[3]));
-  for (std::size_t side = 0; side < s.size(); ++side) {
-    if (s[side] >= 2 && s[side] * (seat_width + measures().elbows) > (side < 2 ? width : depth)) price += kSqueezed;
-  }
-  if (n <= 4 && std::abs(width - depth) < kSquare && std::ranges::max(s) > 1) price += 120;        // one at each side of a square one
-  if (n <= 2 && (width > depth ? s[2] + s[3] : width < depth ? s[0] + s[1] : 0) > 0) price += 20;  // long sides first
-  return price;
-}
-
-}  // namespace
-
-std::vector<std::pair<Seats, int>> seatings(int n, Mm width, Mm depth, Mm seat_width, bool circle, std::size_t limit) {
-  std::vector<std::pair<Seats, int>> found;
-  const int half = (n + 1) / 2;
-  const auto room_for = [&](Mm length) { return std::max(1, static_cast<int>((length + 40) / (seat_width + 40))); };
-  const int along = std::min(room_for(width), n), deep = std::min(room_for(depth), n);
-  for (Seats s{}; s[0] <= std::min(along, half); ++s[0]) {
-    for (s[1] = 0; s[1] <= std::min(along, half); ++s[1]) {
-      for (s[2] = 0; s[2] <= std::min(deep, half); ++s[2]) {
-        s[3] = n - s[0] - s[1] - s[2];
-        if (s[3] < 0 || s[3] > std::min(deep, half)) continue;
-        found.push_back({s, price_of(s, n, width, depth, seat_width, circle)});
-      }
-    }
-  }
-  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  if (found.size() > limit) found.resize(limit);
-  return found;
-}
-
-namespace {
 
 // Seats at the sides of one state of the table such that no two neighbours are too far apart, seen from its middle. How far out they may
 // be is narrowed until that is sure.
