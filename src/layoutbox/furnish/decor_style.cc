@@ -7,17 +7,18 @@
 #include "layoutbox/furnish/decor_data.h"
 
 namespace layoutbox {
-namespace {
-
-using nlohmann::json;
-
-constexpr std::size_t kLongestName = 24;  // characters that tell a thing's name from a style
 
 std::string lower_case(std::string_view text) {
   std::string lower;
   for (const char c : text) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return lower;
 }
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kLongestName = 24;  // characters that tell a thing's name from a style
 
 // "Loft bed": words of a style that are of a thing's name.
 bool names_a_thing(std::string_view text) {

@@ -7,6 +7,8 @@
 
 namespace layoutbox {
 
+std::string lower_case(std::string_view text);
+
 struct RoomStyle {
   std::string name;
   const nlohmann::json* data = nullptr;  // a row of decor.json

@@ -1,8 +1,10 @@
 #include "layoutbox/pipeline/artefacts.h"
 
+#include <algorithm>
 #include <array>
 
 #include "layoutbox/export/export.h"
+#include "layoutbox/pipeline/variants.h"
 #include "layoutbox/scene/scene_json.h"
 
 namespace layoutbox {

@@ -17,6 +17,7 @@ struct Formation {
 };
 
 inline constexpr Mm kWayAround = 600;
+inline constexpr Mm kBetweenDesks = 20;
 
 // Columns that are asked for, 0: as suits the room; what is left free before the walls beside the rows, and before and behind them; from
 // how many columns an aisle parts them, 0: never.

@@ -9,7 +9,7 @@ namespace layoutbox::placement {
 namespace {
 
 constexpr Mm kSeatOfIsland = 450;  // what the seats take at either side of an island of desks
-constexpr Mm kBetweenIslands = 1500, kBetweenDesks = 20;
+constexpr Mm kBetweenIslands = 1500;
 
 }  // namespace
 
