@@ -231,6 +231,10 @@ class Decoder {
   bool says_its(int u) const;
   bool is_subject(int u) const;
   bool heads_subject(int u) const;
+  double fronted_score(const State& state, int u) const;
+  double each_has_score(const State& state, int member, int u, Referent owner) const;
+  double own_top_score(double so_far, const NounPhrase& noun, const NounPhrase& host, const NounPhrase& target) const;
+  double below_seat_score(const State& state, const NounPhrase& target, Referent referent) const;
   bool strewn_past_host(const State& state, int place, int u) const;
   bool has_place(int u) const;
   bool has_own_place(int u) const;

@@ -20,6 +20,20 @@ bool is_unsaid(const NounPhrase* noun) { return noun != nullptr && noun->head.em
 
 }  // namespace
 
+// What stands on its own host: "a wardrobe with a suitcase on top", though suitcases mostly stand on the floor.
+double Decoder::own_top_score(double so_far, const NounPhrase& noun, const NounPhrase& host, const NounPhrase& target) const {
+  if (!noun.head.empty()) return so_far + weight::kOnOwnHost;
+  return (has_top_for(host, target) ? std::max(so_far, 0.0) : so_far) + weight::kTopOfOwnHost;
+}
+
+// "a TV hangs opposite the sofa, a speaker below it": not below the sofa; a rug may be.
+double Decoder::below_seat_score(const State& state, const NounPhrase& target, Referent referent) const {
+  const bool by_seat =
+      referent >= 0 && is_seat(lexicon_.catalog(), noun_of(state, referent)) && read_as(state, referent).role == NounRole::kReference;
+  const bool thin = target.entry != nullptr && target.entry->thin;
+  return by_seat && !thin ? weight::kNotBeside : 0;
+}
+
 // How well what the phrase says of the subject fits the one that may be meant.
 double Decoder::antecedent_place_score(const State& state, Referent referent, Referent subject, const PhraseSenses& senses,
                                        const NounPhrase* noun) const {
@@ -35,18 +49,12 @@ double Decoder::antecedent_place_score(const State& state, Referent referent, Re
                       read_as(state, referent).predicate != read_as(state, subject).predicate;
   if (fellow && side && small && mount_of(meant) == Mount::kSurface) score += weight::kSideOfFellow;
   const bool its_top = is_it(noun) || is_unsaid(noun);  // "a cabinet beside the desk with a printer on top"
-  if (subject >= 0 && referent == owner && !side && lies && its_top) {
-    if (is_unsaid(noun) && has_top_for(meant, target)) score = std::max(score, 0.0);  // "a wardrobe with a suitcase on top"
-    score += noun->head.empty() ? weight::kTopOfOwnHost : weight::kOnOwnHost;
-  }
+  if (subject >= 0 && referent == owner && !side && lies && its_top) score = own_top_score(score, *noun, meant, target);
   const bool sat_on = is_seat(lexicon_.catalog(), meant) || (meant.entry != nullptr && meant.entry->is(Trait::kEasySeat));
   if (subject >= 0 && referent != owner && lies && is_unsaid(noun) && sat_on) score += weight::kTopOfOtherSeat;
   if (subject >= 0 && referent != owner && owner != kNobody && read_as(state, subject).former >= 0 && lies && lists_on_it(subject))
     score += weight::kNoReference;
-  // "a TV hangs opposite the sofa, a speaker below it": not below the sofa
-  const bool thin = target.entry != nullptr && target.entry->thin;
-  const bool by_seat = is_seat(lexicon_.catalog(), meant) && referent >= 0 && read_as(state, referent).role == NounRole::kReference;
-  if (says(senses, RelationType::kUnder) && by_seat && !thin && is_it(noun)) score += weight::kNotBeside;
+  if (says(senses, RelationType::kUnder) && is_it(noun)) score += below_seat_score(state, target, referent);
   // "a mirror with a shelf below it"
   const bool over = says(senses, RelationType::kAbove) || says(senses, RelationType::kUnder);
   const bool first = subject >= 0 && read_as(state, subject).former < 0;  // … "with a sink, a mirror above": above the sink

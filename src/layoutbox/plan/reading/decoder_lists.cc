@@ -148,6 +148,14 @@ double Decoder::told_nothing(int u) const {
   return unit(u).joiner != Joiner::kAnd || more ? 0 : weight::kNothingTold;
 }
 
+// How well the noun at u suits the places that the clause begins with.
+double Decoder::fronted_score(const State& state, int u) const {
+  double score = 0;
+  for (const int place : state.fronted)
+    score += reference_score(state, place, u) + (strewn_past_host(state, place, u) ? weight::kSmallByPlace : 0);
+  return score;
+}
+
 // With what the clause is about, or a clause of its own; `gain`: what speaks for either.
 void Decoder::root_list_actions(std::size_t s, int u, double gain) {
   const State& state = states_[s];
@@ -157,9 +165,7 @@ void Decoder::root_list_actions(std::size_t s, int u, double gain) {
   // "books and newspapers lines the wall": not the newspapers.
   const bool disagrees = subject && noun.is_plural() && (is_finite(word(u + 1)) || word(u + 1) == "is" || word(u + 1) == "was");
   gain += disagrees ? weight::kDisagrees : subject ? weight::kSubjectFollows : placed ? weight::kPlaceFollows : 0;
-  double share = 0;
-  for (const int place : state.fronted)
-    share += reference_score(state, place, u) + (strewn_past_host(state, place, u) ? weight::kSmallByPlace : 0);
+  const double share = fronted_score(state, u);
   // "On the table a mug and a pad lie beside a clock": a plural verb of one thing speaks of the list.
   // "on which a vase and two cups stand": what came first has no other verb.
   const bool agrees =
@@ -245,13 +251,17 @@ double Decoder::content_list_score(const State& state, int member, int u) const 
   if (trails && mount_of(noun) == Mount::kFloor && !inverse) score -= 2;  // ", with …"
   if (has_own_place(u)) score -= !sense_.carries(host, noun) ? 1.6 : joiner == Joiner::kAnd ? 0.6 : 1.4;
   if (joiner == Joiner::kAnd && lies_on_placed(u, host)) score -= weight::kSmallByPlace;
-  // "each with a bed, a chair and a lamp": every one has all of them.
-  const bool of_each = owner >= 0 && chunk(owner).noun.determiner == Determiner::kEach;
-  // "three bowls, each with a spoon next to it, and a bottle": one bottle
-  const bool goes_on = of_each && reading.placed && joiner == Joiner::kCommaAnd && unit(owner).joiner == Joiner::kComma;
-  if (of_each) score += may_come_with(host, noun) && !goes_on ? weight::kEachHas : weight::kNotWithEach;
+  score += each_has_score(state, member, u, owner);
   if (host.entry != nullptr && host.entry->thin) score -= 3;
   return score;
+}
+
+// "each with a bed, a chair and a lamp": every one has all of them; but "three bowls, each with a spoon next to it, and a bottle": one
+// bottle.
+double Decoder::each_has_score(const State& state, int member, int u, Referent owner) const {
+  if (owner < 0 || chunk(owner).noun.determiner != Determiner::kEach) return 0;
+  const bool goes_on = read_as(state, member).placed && unit(u).joiner == Joiner::kCommaAnd && unit(owner).joiner == Joiner::kComma;
+  return may_come_with(noun_of(state, owner), chunk(u).noun) && !goes_on ? weight::kEachHas : weight::kNotWithEach;
 }
 
 // "six tables, each with four chairs, a bar and a sideboard": no table has a bar of its own. At desks and beds anything may stand.
