@@ -30,9 +30,7 @@ void RelationBuilder::place_host_of(const Link& have) {
   const bool hung = !list && mount_of(other) == Mount::kWall && mount_of(noun) == Mount::kFloor;
   // "a piano with its stool by the window"
   const bool own = !list && thing.noun.determiner == Determiner::kPossessive && mount_of(noun) == Mount::kFloor;
-  // "a counter with sink and dishwasher along the left wall": the counter, and what stands beside it.
-  const bool run = list && noun.entry != nullptr && noun.entry->is(Trait::kCounter) && mount_of(noun) == Mount::kFloor;
-  if (list ? !carried && !run : !seats && !flanks(other, noun) && !carried && !hung && !own) return;
+  if (list ? !carried : !seats && !flanks(other, noun) && !carried && !hung && !own) return;
   const auto stands = [&](int r) {
     const Mention& by = mention(r);
     if (own && by.items != host.items) return true;
@@ -49,12 +47,7 @@ void RelationBuilder::place_host_of(const Link& have) {
                                   [&](const Link& link) { return is_place(link, have.references.front()); });
   for (Link& link : document_.links) {
     const bool follows = link.first >= thing.noun.last && link.first <= thing.noun.last + 1;
-    if (placed || !follows || !is_place(link, last)) continue;
-    link.targets = have.references;
-    for (const int beside : have.targets) {
-      const bool too = run && !mention(beside).items.empty() && stands_in_run(id(mention(beside).items.front()));
-      if (too) link.targets.push_back(beside);
-    }
+    if (!placed && follows && is_place(link, last)) link.targets = have.references;
   }
 }
 
@@ -65,15 +58,12 @@ void RelationBuilder::place_hosts() {
 // "a counter with the till, the grinder and a cake display along the back wall": all three are what the counter has.
 void RelationBuilder::complete_counters() {
   for (Link& have : document_.links) {
-    if (have.kind != Link::Kind::kHave || have.references.size() != 1 || have.targets.empty()) continue;
+    if (have.kind != Link::Kind::kHave || have.references.size() != 1 || have.targets.size() < 2) continue;
     const NounPhrase& host = mention(have.references.front()).noun;
     if (host.entry == nullptr || !host.entry->is(Trait::kCounter)) continue;
     const std::size_t end = mention(have.targets.back()).noun.last;
     const auto follows = [&](const Mention& m) {
-      // "a counter with a sink and a chair by the window": of two that are joined the second may be by itself, unless it stands in a run too
-      const CatalogEntry* entry = m.noun.entry;
-      const bool own = have.targets.size() > 1 || (entry != nullptr && entry->mount == Mount::kFloor && entry->back_to_wall);
-      return own && m.introduces && !m.items.empty() && m.noun.first == end + 1 && says_one_of(document_, end, {"and"});
+      return m.introduces && !m.items.empty() && m.noun.first == end + 1 && says_one_of(document_, end, {"and"});
     };
     const auto next = std::ranges::find_if(document_.mentions, follows);
     if (next != document_.mentions.end()) have.targets.push_back(static_cast<int>(next - document_.mentions.begin()));
