@@ -82,7 +82,8 @@ class GridSettler {
   // Where what such seats look at by their kind is, of a grid that nobody turned; empty: nowhere that is known.
   std::string wall_they_face(const Relation& grid) const {
     const bool turned = told(grid, {RelationType::kFacing, RelationType::kSameOrientation});
-    const SceneObject* first = grid.type != RelationType::kGrid || turned || grid.targets.empty() ? nullptr : scene_.find_object(grid.targets[0]);
+    const SceneObject* first =
+        grid.type != RelationType::kGrid || turned || grid.targets.empty() ? nullptr : scene_.find_object(grid.targets[0]);
     if (first == nullptr || !grid.parameters.columns) return {};
     const std::vector<std::string>& kinds = context_.catalog.entry_or_nearest(first->category).faces;
     const auto is_faced = [&](const SceneObject& object) {
@@ -109,7 +110,9 @@ class GridSettler {
     if (end == scene_.room.walls.end() || end->start.x != end->end.x) return;
     for (Relation& grid : context_.scene.relations) {
       if (grid.type != RelationType::kGrid || !grid.parameters.columns || *grid.parameters.columns < 1) continue;
-      const auto at_it = [&](const Relation& r) { return names(r.targets, leader) && r.references.size() == 1 && names(grid.targets, r.references[0]); };
+      const auto at_it = [&](const Relation& r) {
+        return names(r.targets, leader) && r.references.size() == 1 && names(grid.targets, r.references[0]);
+      };
       const int n = static_cast<int>(grid.targets.size()), columns = *grid.parameters.columns;
       if (n % columns == 0 && (names(grid.targets, leader) || std::ranges::any_of(scene_.relations, at_it)))
         grid.parameters.columns = n / columns;

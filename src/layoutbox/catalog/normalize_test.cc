@@ -276,7 +276,9 @@ TEST(NormalizeGrids, RowsLookStraightAtTheWallOfWhatTheyLookAt) {
   const auto of = [&](RelationType type) { return std::ranges::find(scene.relations, type, &Relation::type); };
   EXPECT_EQ(of(RelationType::kGrid)->parameters.columns, 2);
   const std::string wall = of(RelationType::kOnWall)->references.at(0);
-  const auto straight = [&](const Relation& r) { return r.type == RelationType::kFacing && r.references == std::vector<std::string>{wall}; };
+  const auto straight = [&](const Relation& r) {
+    return r.type == RelationType::kFacing && r.references == std::vector<std::string>{wall};
+  };
   EXPECT_EQ(std::ranges::count_if(scene.relations, straight), 1);
   EXPECT_EQ(std::ranges::count_if(normalized(scene).relations, straight), 1);
 }

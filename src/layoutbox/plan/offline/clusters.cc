@@ -23,7 +23,8 @@ void read_groups_behind(const Lexicon& lexicon, const Document& document, Togeth
   if (says_one_of(document, at, {",", "("})) ++at;
   const NumberRead groups = read_number(lexicon, document.tokens, at);
   const std::size_t noun = at + groups.length;
-  if (together.groups > 0 || groups.length == 0 || !says_one_of(document, noun, WordSet::kClusters) || says_one_of(document, noun + 1, {"of"}))
+  if (together.groups > 0 || groups.length == 0 || !says_one_of(document, noun, WordSet::kClusters) ||
+      says_one_of(document, noun + 1, {"of"}))
     return;
   together.groups = static_cast<int>(groups.value);
   together.last = noun + (says_one_of(document, noun + 1, {")"}) ? 2 : 1);

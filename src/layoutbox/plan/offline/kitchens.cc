@@ -216,13 +216,14 @@ void RelationBuilder::leave_window_to_sink() {
 // "L-shaped: sink under the window, stove on the other wall": at the wall that meets the sink's, and not far along it.
 void RelationBuilder::turn_other_leg(const std::vector<std::string>& units) {
   constexpr Mm kFromCorner = 1200;
-  const auto washes = std::ranges::find_if(units, [&](const std::string& unit) { return noun_of_object(*object_of(unit)).entry->is(Trait::kWashUp); });
+  const auto washes =
+      std::ranges::find_if(units, [&](const std::string& unit) { return noun_of_object(*object_of(unit)).entry->is(Trait::kWashUp); });
   const std::string main = washes == units.end() ? units.front() : *washes;
   const std::size_t said = scene_.relations.size();
   for (std::size_t r = 0; r < said; ++r) {
     const Relation relation = scene_.relations[r];
-    const bool at_other = (relation.type == R::kAgainstWall || relation.type == R::kOnWall) && relation.references.empty() &&
-                          words_.have(relation, "other");
+    const bool at_other =
+        (relation.type == R::kAgainstWall || relation.type == R::kOnWall) && relation.references.empty() && words_.have(relation, "other");
     for (const std::string& unit : relation.targets) {
       if (!at_other || unit == main || std::ranges::find(units, unit) == units.end()) continue;
       add_habit(R::kPerpendicular, {unit}, {main}, kTogether, "the legs of an L meet at a corner");

@@ -239,8 +239,9 @@ std::string wall_across_from_named(const Document& document, std::size_t k) {
     if (document.chunks[k].kind != ChunkKind::kNoun) continue;
     if (noun.kind == NounKind::kDoor || noun.kind == NounKind::kWindow) return {};
     if (noun.kind != NounKind::kWall) continue;
-    const bool by_length = std::ranges::any_of(noun.attributes, [](const std::string& word) { return one_of(word, WordSet::kLongOrShort); }) ||
-                           one_of(noun.name.substr(0, noun.name.find(' ')), WordSet::kLongOrShort);
+    const bool by_length =
+        std::ranges::any_of(noun.attributes, [](const std::string& word) { return one_of(word, WordSet::kLongOrShort); }) ||
+        one_of(noun.name.substr(0, noun.name.find(' ')), WordSet::kLongOrShort);
     return by_length ? noun.name.find("long") != std::string::npos ? "long" : "short" : wall_across(noun.wall_word);
   }
   return {};
@@ -336,7 +337,8 @@ void settle_opening_ends(const Lexicon& lexicon, Document& document) {
     chunk.noun.wall_word = across.empty() ? word : across;
     chunk.noun.in_middle = !middle.first.empty();
     // "two windows in each long wall"
-    const bool each = (word == "ends" || word == "lengths") && (says_one_of(document, first, {"per"}) || says_one_of(document, first + 1, {"each"}));
+    const bool each =
+        (word == "ends" || word == "lengths") && (says_one_of(document, first, {"per"}) || says_one_of(document, first + 1, {"each"}));
     if (each && chunk.noun.count > 1) chunk.noun.count *= 2;
     take_chunks(document, first, last, "which wall");
   }

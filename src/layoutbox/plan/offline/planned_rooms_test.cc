@@ -149,9 +149,11 @@ TEST_F(PlannedRooms, WallsOfOpeningsByNames) {
     return all;
   };
   EXPECT_EQ(openings("A café. A bench under the front window."), "window front, door ");
-  EXPECT_EQ(openings("A flower shop. Stands in front of the big shop window, a counter. Door in the front wall."), "door front, window front");
+  EXPECT_EQ(openings("A flower shop. Stands in front of the big shop window, a counter. Door in the front wall."),
+            "door front, window front");
   EXPECT_EQ(openings("A shop with a shop window on the left wall. A table in front of the shop window."), "window left, door ");
-  EXPECT_EQ(openings("A studio. Two easels near the north windows. Three tall windows on the north side."), "window back, window back, window back, door ");
+  EXPECT_EQ(openings("A studio. Two easels near the north windows. Three tall windows on the north side."),
+            "window back, window back, window back, door ");
   EXPECT_EQ(openings("Coffee shop, entrance in the middle of the front with a big window either side. A counter."),
             "door front, window front, window front");
   EXPECT_EQ(openings("Meeting room 6 x 4 m. A screen on the left wall, glass door at the other end, a table."), "door right, window ");

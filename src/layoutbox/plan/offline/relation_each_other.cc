@@ -147,7 +147,8 @@ void RelationBuilder::stand_in_line(const Link& link, const std::string& next, c
   const bool abreast = words.find("side by side") != std::string::npos || words.find("next to each other") != std::string::npos;
   if (!abreast || !has_place(other) || !has_place(neighbour)) return;
   if (other.entry != neighbour.entry) {
-    for (const R type : {R::kSameOrientation, R::kEdgeAlign}) add_habit(type, {next}, {one}, kTogether, "what is side by side stands abreast");
+    for (const R type : {R::kSameOrientation, R::kEdgeAlign})
+      add_habit(type, {next}, {one}, kTogether, "what is side by side stands abreast");
     return;
   }
   if (words.find("side by side") == std::string::npos) return;

@@ -140,7 +140,8 @@ class RoomColors {
   // "…, led lights, dark grey and purple.": several colors by themselves are nobody's but the room's.
   void read_clause(std::size_t first) {
     const auto is_look = [&](std::size_t at) {  // "a rug in red, blue and white"
-      return lexicon_.find(document_.tokens, at, WordClass::kColor).length > 0 || lexicon_.find(document_.tokens, at, WordClass::kMaterial).length > 0;
+      return lexicon_.find(document_.tokens, at, WordClass::kColor).length > 0 ||
+             lexicon_.find(document_.tokens, at, WordClass::kMaterial).length > 0;
     };
     if (first < 2 || is_look(first - 2)) return;
     const Scheme scheme = scheme_at(lexicon_, document_.tokens, first);

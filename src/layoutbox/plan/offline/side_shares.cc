@@ -57,8 +57,10 @@ class ShareReader {
     share.long_said = is(share.side, {"long", "longer"});
     share.end = is(share.side, {"short", "shorter"});
     if (share.long_said || share.end) ++share.side;
-    if (is(share.side, {"end", "ends", "head", "heads"})) share.end = true;
-    else if (!is(share.side, {"side", "sides"})) return {};
+    if (is(share.side, {"end", "ends", "head", "heads"}))
+      share.end = true;
+    else if (!is(share.side, {"side", "sides"}))
+      return {};
     return share;
   }
 

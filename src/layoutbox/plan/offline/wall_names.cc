@@ -26,7 +26,9 @@ std::string wall_of(OpeningType type, SceneGraph& scene) {
   const auto placed = std::ranges::find_if(openings, [&](const Opening& o) { return is_meant(o) && !o.wall.empty(); });
   if (placed != openings.end()) return placed->wall;
   if (std::ranges::none_of(openings, is_meant)) add_assumed_opening(scene, type, {});
-  const auto is_free = [&](std::string_view wall) { return std::ranges::none_of(openings, [&](const Opening& o) { return o.wall == wall; }); };
+  const auto is_free = [&](std::string_view wall) {
+    return std::ranges::none_of(openings, [&](const Opening& o) { return o.wall == wall; });
+  };
   std::string wall = "front";
   for (const std::string_view side : {"right", "left", "back"}) {
     if (type == OpeningType::kWindow && is_free(side)) wall = side;
