@@ -25,6 +25,27 @@ class GridSettler {
     for (const Point corner : scene_.room.polygon) width_ = std::max(width_, double(corner.x)), depth_ = std::max(depth_, double(corner.y));
   }
 
+  // "24 chairs, all facing the whiteboard on the front wall": rows look straight at that wall, not askew past it. "Eight rows of pews on
+  // each side of the aisle, the altar at the east wall": pews look at it, though no word says so.
+  void look_at_walls() {
+    constexpr std::ptrdiff_t kCrowd = 4;
+    if (scene_.prompt.empty()) return;
+    std::vector<std::pair<std::string, std::string>> looks;  // who leads, the wall
+    for (const Relation& r : scene_.relations) {
+      if (r.type != RelationType::kFacing || r.targets.size() != 1 || r.references.size() != 1) continue;
+      const auto follows = [&](const Relation& other) {
+        return other.type == RelationType::kSameOrientation && other.references == r.targets;
+      };
+      const std::string wall = wall_of(r.references[0]);
+      if (!wall.empty() && std::ranges::count_if(scene_.relations, follows) >= kCrowd) looks.emplace_back(r.targets[0], wall);
+    }
+    for (const Relation& grid : scene_.relations) {
+      const std::string wall = wall_they_face(grid);
+      if (!wall.empty()) looks.emplace_back(grid.targets[0], wall);
+    }
+    for (const auto& [leader, wall] : looks) look_straight(leader, wall);
+  }
+
   void settle(Relation& relation) {
     const SceneObject* first = relation.targets.empty() ? nullptr : scene_.find_object(relation.targets[0]);
     if (first == nullptr || !first->size || relation.parameters.gap || width_ <= 0 || depth_ <= 0) return;
@@ -40,6 +61,62 @@ class GridSettler {
       return std::ranges::find(types, r.type) != types.end() &&
              std::ranges::any_of(grid.targets, [&](const std::string& id) { return names(r.targets, id); });
     });
+  }
+
+  void look_straight(const std::string& leader, const std::string& wall) {
+    const auto is_told = [&](const Relation& r) {
+      return r.type == RelationType::kFacing && names(r.targets, leader) && r.references == std::vector<std::string>{wall};
+    };
+    if (std::ranges::any_of(scene_.relations, is_told)) return;
+    turn_grids(leader, wall);
+    Relation straight;
+    straight.id = unused_id(scene_, leader + "_looks_at_" + wall);
+    straight.type = RelationType::kFacing;
+    straight.targets = {leader};
+    straight.references = {wall};
+    straight.why = "rows look straight at the wall of what they look at";
+    straight.origin = Origin::kConcluded;
+    context_.scene.relations.push_back(std::move(straight));
+  }
+
+  // Where what such seats look at by their kind is, of a grid that nobody turned; empty: nowhere that is known.
+  std::string wall_they_face(const Relation& grid) const {
+    const bool turned = told(grid, {RelationType::kFacing, RelationType::kSameOrientation});
+    const SceneObject* first =
+        grid.type != RelationType::kGrid || turned || grid.targets.empty() ? nullptr : scene_.find_object(grid.targets[0]);
+    if (first == nullptr || !grid.parameters.columns) return {};
+    const std::vector<std::string>& kinds = context_.catalog.entry_or_nearest(first->category).faces;
+    const auto is_faced = [&](const SceneObject& object) {
+      return !wall_of(object.id).empty() &&
+             std::ranges::any_of(kinds, [&](const std::string& kind) { return context_.catalog.is_a(object.category, kind); });
+    };
+    const auto faced = std::ranges::find_if(scene_.objects, is_faced);
+    return faced == scene_.objects.end() ? std::string{} : wall_of(faced->id);
+  }
+
+  // The one wall on which it is said to be; empty: none.
+  std::string wall_of(const std::string& object) const {
+    for (const Relation& r : scene_.relations) {
+      const bool at = r.type == RelationType::kOnWall || r.type == RelationType::kAgainstWall || r.type == RelationType::kCenteredOnWall;
+      if (at && r.references.size() == 1 && names(r.targets, object) && scene_.find_object(r.references[0]) == nullptr)
+        return r.references[0];
+    }
+    return {};
+  }
+
+  // "in rows of three": abreast, wherever they look.
+  void turn_grids(const std::string& leader, const std::string& wall) {
+    const auto end = std::ranges::find(scene_.room.walls, wall, &Wall::id);
+    if (end == scene_.room.walls.end() || end->start.x != end->end.x) return;
+    for (Relation& grid : context_.scene.relations) {
+      if (grid.type != RelationType::kGrid || !grid.parameters.columns || *grid.parameters.columns < 1) continue;
+      const auto at_it = [&](const Relation& r) {
+        return names(r.targets, leader) && r.references.size() == 1 && names(grid.targets, r.references[0]);
+      };
+      const int n = static_cast<int>(grid.targets.size()), columns = *grid.parameters.columns;
+      if (n % columns == 0 && (names(grid.targets, leader) || std::ranges::any_of(scene_.relations, at_it)))
+        grid.parameters.columns = n / columns;
+    }
   }
 
   // Rows of what looks nowhere, or has its back to the walls, run along the longer side of the room, whatever words call a row.
@@ -111,6 +188,7 @@ class GridSettler {
 
 void normalize_grids(NormalizeContext& context) {
   GridSettler settler(context);
+  settler.look_at_walls();
   for (Relation& relation : context.scene.relations) {
     if (relation.type == RelationType::kGrid) settler.settle(relation);
   }

@@ -256,6 +256,33 @@ TEST(NormalizeRelations, ToNobodyAreLeftOutAndNoted) {
 }
 
 // What solve() requires holds for whatever came in, and a second time changes nothing.
+// Six desks in rows of three that look at a board on the left wall: three abreast before it, straight at its wall.
+TEST(NormalizeGrids, RowsLookStraightAtTheWallOfWhatTheyLookAt) {
+  std::vector<SceneObject> objects{object("board_1", "whiteboard")};
+  std::vector<Relation> relations{relation(RelationType::kOnWall, {"board_1"}, {"left"})};
+  Relation grid = relation(RelationType::kGrid, {}, {});
+  grid.parameters.columns = 3;
+  for (int i = 1; i <= 6; ++i) {
+    const std::string id = "school_desk_" + std::to_string(i);
+    objects.push_back(object(id, "school_desk"));
+    grid.targets.push_back(id);
+    relations.push_back(i == 1 ? relation(RelationType::kFacing, {id}, {"board_1"})
+                               : relation(RelationType::kSameOrientation, {id}, {"school_desk_1"}));
+  }
+  relations.push_back(grid);
+  SceneGraph scene = scene_of(objects, relations);
+  scene.prompt = "Six desks in rows of three face the board on the left wall.";
+  scene = normalized(scene);
+  const auto of = [&](RelationType type) { return std::ranges::find(scene.relations, type, &Relation::type); };
+  EXPECT_EQ(of(RelationType::kGrid)->parameters.columns, 2);
+  const std::string wall = of(RelationType::kOnWall)->references.at(0);
+  const auto straight = [&](const Relation& r) {
+    return r.type == RelationType::kFacing && r.references == std::vector<std::string>{wall};
+  };
+  EXPECT_EQ(std::ranges::count_if(scene.relations, straight), 1);
+  EXPECT_EQ(std::ranges::count_if(normalized(scene).relations, straight), 1);
+}
+
 TEST(NormalizeScene, AnyValidSceneBecomesCompleteAndStaysSo) {
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     const auto first = normalize_scene(RandomScenes(seed).scene(), Catalog::builtin());

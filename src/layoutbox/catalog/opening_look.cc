@@ -12,7 +12,7 @@ namespace {
 // A wider door has two leaves, as people build them.
 constexpr Mm kWidestLeaf = 1300;
 
-constexpr std::string_view kSizeKeys[] = {"words", "w", "h", "sill"};
+constexpr std::string_view kSizeKeys[] = {"words", "w", "h", "sill", "wall"};
 constexpr std::pair<std::string_view, Leaf> kLeaves[] = {{"panelled", Leaf::kPanelled},   {"glazed", Leaf::kGlazed},
                                                          {"sectional", Leaf::kSectional}, {"planks", Leaf::kPlanks},
                                                          {"lattice", Leaf::kLattice},     {"half", Leaf::kHalf}};
@@ -56,6 +56,7 @@ class OpeningLookReader {
   void set(std::string_view key, const WordList& value) {
     if (key == "leaf") look_.leaf = named(kLeaves, value.text());
     if (key == "shape") look_.shape = named(kShapes, value.text());
+    if (key == "wall") look_.wall = value.text();
     if (key == "pane") look_.pane = value.text();
     if (key == "frame") look_.frame = value.text();
     if (key == "leaves") look_.leaves = static_cast<int>(value.number());

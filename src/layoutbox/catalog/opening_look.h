@@ -23,6 +23,7 @@ struct OpeningLook {
   bool outward = false;  // its leaf swings out of the room
   bool whole = false;    // from one end of its wall to the other
   bool bay = false;      // it stands out of the wall
+  std::string wall;      // the room's side that it is in where nobody says; empty: any
   OpeningShape shape = OpeningShape::kRectangle;
   std::string pane, frame;  // surfaces as a text asks for them; empty: the usual ones
   std::optional<Mm> width, height, sill;

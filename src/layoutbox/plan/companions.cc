@@ -25,31 +25,38 @@ struct NamedSeats {
   bool loose = false;
   // "two desks, a meeting table with four chairs": all are those of another table, so that the desk's are still to come.
   bool taken = false;
+  // … or of other desks: pupils' chairs are not the teacher's.
+  bool at_desks = false;
 
   NamedSeats(const GrowingScene& scene, const Catalog& catalog) {
-    const auto is_table = [&](const std::string& host) {
+    const auto is_at = [&](const std::string& host, bool desk) {
       const SceneObject* object = scene.find(host);
       if (object == nullptr) return false;
       const CatalogEntry& kind = catalog.entry_or_nearest(object->category);
-      return kind.is(Trait::kTable) && !kind.is(Trait::kDesk) && !kind.is(Trait::kOccasional);
+      return kind.is(Trait::kTable) && kind.is(Trait::kDesk) == desk && !kind.is(Trait::kOccasional);
     };
-    bool concluded = false, asked = false, all_at_tables = true;
+    const auto is_table = [&](const std::string& host) { return is_at(host, false); };
+    const auto is_desk = [&](const std::string& host) { return is_at(host, true); };
+    bool concluded = false, asked = false, all_at_tables = true, all_at_desks = true;
     for (const SceneObject& object : scene.graph().objects) {
       concluded |= object.origin == Origin::kConcluded;
       const CatalogEntry& kind = catalog.entry_or_nearest(object.category);
       if (!kind.is(Trait::kTableSeat)) continue;
-      bool placed = false, at_table = false;
+      bool placed = false, at_table = false, at_desk = false;
       for (const std::size_t r : scene.relations_of(object.id)) {
         const Relation& relation = scene.graph().relations[r];
         placed |= !relation.references.empty() || relation.type == RelationType::kAgainstWall;
         at_table |= std::ranges::any_of(relation.references, is_table);
+        at_desk |= std::ranges::any_of(relation.references, is_desk);
       }
       loose |= !placed && !kind.is(Trait::kVisitorSeat);
       asked |= object.asked();
       all_at_tables &= at_table || !object.asked();
+      all_at_desks &= at_table || at_desk || !object.asked();
     }
     spoken_of = !concluded || asked;
     taken = asked && all_at_tables;
+    at_desks = asked && all_at_desks;
   }
 };
 
@@ -95,7 +102,8 @@ class Companions {
     const bool serves = entry->is(Trait::kOpenToRoom) && is_used(Side::kBack) && is_used(Side::kFront);
     // … and seats that follow from how many people there are stand at tables of their own: the teacher's desk has its chair.
     const bool visited = entry->is(Trait::kDeskLike) && scene_.has_kind("visitor_chair");
-    const bool named_only = serves || visited || !seats_.spoken_of || (entry->is(Trait::kDesk) && seats_.taken);
+    const bool named_only = serves || visited || !seats_.spoken_of || (entry->is(Trait::kDesk) && seats_.taken) ||
+                            (entry->is(Trait::kOpenToRoom) && seats_.at_desks);
     if (seat == nullptr || (named_only ? spoken_.names(*seat) : spoken_.of(*seat)) || scene_.has_seat(id) || (!serves && seats_.loose))
       return;
     const int count = std::min(seats_at_size(*seating, is_round(*sized, *entry), sized->size->usual), kMostSeats);

@@ -37,6 +37,8 @@ int count_of(const std::vector<std::string>& kinds, const std::string& kind) {
 }
 
 TEST(Companions, SeatsComeWithDesksAndTables) {
+  // The pupils' chairs are told to be at their own desks.
+  EXPECT_EQ(count_of(added_to("A classroom, 8 x 7 m, with 6 desks, two chairs at every desk, and a teacher's desk."), "office_chair"), 1);
   EXPECT_EQ(count_of(added_to("A bedroom, 4 x 4 m, with a bed, a wardrobe and a desk for homework."), "office_chair"), 1);
   EXPECT_GE(count_of(added_to("A dining room, 4 x 4 m, with a dining table and a sideboard."), "dining_chair"), 4);
   EXPECT_EQ(count_of(added_to("A bedroom with a bed, a wardrobe and a dressing table."), "vanity_stool"), 1);

@@ -110,16 +110,19 @@ TEST(Furnished, WhatIsToldToBeInTheMiddleHasItForItself) {
 }
 
 TEST(Furnished, WhoLooksIntoAMirrorSitsBeforeIt) {
-  SceneMaker maker = SceneMaker(5500, 4500).add("salon_chair", 3).add("mirror", 3).add("bench");
-  for (int i = 1; i <= 3; ++i) {
-    maker.relate("facing", {numbered("salon_chair", i)}, {numbered("mirror", i)});
-    maker.relate("onWall", {numbered("mirror", i)}, {});
-  }
-  const Layout layout = solved_as_asked(maker.make(true));
-  for (int i = 1; i <= 3; ++i) {
-    const Point seat = seen_from(object(layout, numbered("mirror", i)), object(layout, numbered("salon_chair", i)));
-    EXPECT_LT(std::abs(seat.x), 150) << i;
-    EXPECT_GT(seat.y, -1500) << i;
+  for (const bool row : {false, true}) {
+    SceneMaker maker = SceneMaker(5500, 4500).add("salon_chair", 3).add("mirror", 3).add("bench");
+    for (int i = 1; i <= 3; ++i) {
+      maker.relate("facing", {numbered("salon_chair", i)}, {numbered("mirror", i)});
+      maker.relate("onWall", {numbered("mirror", i)}, {});
+    }
+    if (row) maker.relate("row", {"salon_chair_1", "salon_chair_2", "salon_chair_3"}, {});
+    const Layout layout = solved_as_asked(maker.make(true));
+    for (int i = 1; i <= 3; ++i) {
+      const Point seat = seen_from(object(layout, numbered("mirror", i)), object(layout, numbered("salon_chair", i)));
+      EXPECT_LT(std::abs(seat.x), 150) << i << row;
+      EXPECT_GT(seat.y, -1500) << i << row;
+    }
   }
 }
 

@@ -21,7 +21,7 @@ class BanReader : public BanPlaces {
       if (skip_[i]) continue;
       kept_ = 0;
       if (read_back_to(i) || pass_none(i) || read_nothing(i) || read_kept(i) || read_staying(i) || read_side(i) || read_room_round(i) ||
-          read_accessible(i) || read_plain_room_round(i))
+          read_accessible(i) || read_room_for(i) || read_plain_room_round(i))
         continue;
     }
     return std::move(bans_);
@@ -156,6 +156,25 @@ class BanReader : public BanPlaces {
     ban.sides = sides_at(at);
     if (ban.sides.empty() || !is_over(at)) return false;
     take(std::move(ban), i > 0 && is(i - 1, {"is", "are", "be"}) ? i - 1 : i, at);
+    return true;
+  }
+
+  // "room for a walker on both sides of the bed"
+  bool read_room_for(std::size_t i) {
+    constexpr std::size_t kReach = 4;  // words of whom or what it is for
+    if (!is(i, {"space", "room"}) || !is(i + 1, {"for"})) return false;
+    std::size_t at = i + 2;
+    while (at < i + 2 + kReach && !ends(at) && !is(at, {"on", "at"})) ++at;
+    if (!is(at, {"on", "at"})) return false;
+    Ban ban;
+    ban.kind = Ban::Kind::kFreeSide;
+    ban.depth = kUsualSide;
+    ban.sides = sides_at(++at);
+    if (ban.sides.empty() || !read_of(at, ban) || !is_over(at)) return false;
+    std::size_t first = i;
+    while (first > 0 && is(first - 1, WordSet::kBeforeRoomRound)) --first;
+    if (is(first, {"and"})) ++first;
+    take(std::move(ban), first, at);
     return true;
   }
 

@@ -182,7 +182,8 @@ bool Chunker::read_rows() {
     }
     return 0;
   };
-  const int rows = number();
+  const bool rows_of = at + 1 < tokens_.size() && tokens_[at].text == "rows" && tokens_[at + 1].text == "of";  // "of three" abreast
+  const int rows = rows_of ? 0 : number();
   if (at < tokens_.size() && (tokens_[at].text == "neat" || tokens_[at].text == "straight" || tokens_[at].text == "parallel")) ++at;
   const bool columns_first = at < tokens_.size() && tokens_[at].text == "columns";
   if (at >= tokens_.size() || (tokens_[at].text != "rows" && !columns_first)) return false;
@@ -193,6 +194,7 @@ bool Chunker::read_rows() {
     columns = number();
     if (columns == 0) at = before;
   }
+  if (rows_of && (columns < 2 || (at < tokens_.size() && lexicon_.find(tokens_, at, WordClass::kObject).length > 0))) return false;
   Chunk& chunk = add(ChunkKind::kRelation, at - i_);
   chunk.phrase = PhraseMatch{chunk.last - chunk.first, &grid_senses()};
   chunk.rows = columns_first ? columns : rows;

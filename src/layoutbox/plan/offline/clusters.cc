@@ -10,22 +10,47 @@
 namespace layoutbox::offline {
 namespace {
 
-// "in groups of four", "in pairs": how many stand together, and the tokens that say it; 0: nothing of the kind.
-std::pair<int, std::size_t> together_at(const Lexicon& lexicon, const Document& document, std::size_t at) {
+// How many stand together, the tokens that say it, and in how many such groups; 0: that is not said.
+struct Together {
+  int count = 0;
+  std::size_t last = 0;
+  int groups = 0;
+};
+
+// "in groups of four, five groups": the groups are counted behind.
+void read_groups_behind(const Lexicon& lexicon, const Document& document, Together& together) {
+  std::size_t at = together.last;
+  if (says_one_of(document, at, {",", "("})) ++at;
+  const NumberRead groups = read_number(lexicon, document.tokens, at);
+  const std::size_t noun = at + groups.length;
+  if (together.groups > 0 || groups.length == 0 || !says_one_of(document, noun, WordSet::kClusters) ||
+      says_one_of(document, noun + 1, {"of"}))
+    return;
+  together.groups = static_cast<int>(groups.value);
+  together.last = noun + (says_one_of(document, noun + 1, {")"}) ? 2 : 1);
+}
+
+// "in groups of four", "in five groups of four", "in pairs".
+Together together_at(const Lexicon& lexicon, const Document& document, std::size_t at) {
   if (says_one_of(document, at, {"arranged", "grouped", "placed", "set", "seated", "sitting", "sit", "working"})) ++at;
   if (!says_one_of(document, at, {"in", "into", "at"})) return {};
+  Together together;
   if (const NumberRead count = read_number(lexicon, document.tokens, at + 1);  // "in three groups of four"
-      count.length > 0 && says_one_of(document, at + 1 + count.length, WordSet::kClustersOrRows))
+      count.length > 0 && says_one_of(document, at + 1 + count.length, WordSet::kClustersOrRows)) {
+    if (says_one_of(document, at + 1 + count.length, WordSet::kClusters)) together.groups = static_cast<int>(count.value);
     at += count.length;
+  }
   if (says_one_of(document, at + 1, {"pairs", "twos", "couples"})) return {2, at + 2};
   if (says_one_of(document, at + 1, {"threes"})) return {3, at + 2};
   if (says_one_of(document, at + 1, {"fours"})) return {4, at + 2};
   if (!says_one_of(document, at + 1, WordSet::kClusters) || !says_one_of(document, at + 2, {"of"})) return {};
   const NumberRead number = read_number(lexicon, document.tokens, at + 3);
   constexpr double kMost = 12;
-  return number.length > 0 && number.value >= 2 && number.value <= kMost
-             ? std::pair<int, std::size_t>{static_cast<int>(number.value), at + 3 + number.length}
-             : std::pair<int, std::size_t>{};
+  if (number.length == 0 || number.value < 2 || number.value > kMost) return {};
+  together.count = static_cast<int>(number.value);
+  together.last = at + 3 + number.length;
+  read_groups_behind(lexicon, document, together);
+  return together;
 }
 
 // A room in which everybody has a desk for pupils.
@@ -111,7 +136,7 @@ void count_in_clusters(const Lexicon& lexicon, Document& document, std::size_t k
 int people_together(const Lexicon& lexicon, const Document& document) {
   for (std::size_t i = 1; i < document.tokens.size(); ++i) {
     if (!lexicon.is_person(singular_of(document.tokens[i - 1].text))) continue;
-    if (const int together = together_at(lexicon, document, i).first; together > 0) return together;
+    if (const int together = together_at(lexicon, document, i).count; together > 0) return together;
   }
   return 0;
 }
@@ -147,13 +172,14 @@ void settle_clusters(const Lexicon& lexicon, Document& document) {
       continue;
     }
     const bool stacked = says_one_of(document, chunk.last, {"stacked", "piled"});
-    const auto [together, end] = together_at(lexicon, document, stacked ? chunk.last + 1 : chunk.last);
+    const auto [together, end, in_groups] = together_at(lexicon, document, stacked ? chunk.last + 1 : chunk.last);
     if (together == 0) continue;
     if (stacked) noun.attributes.emplace_back("stacked");  // "dryers stacked in pairs"
     // "tables in groups of four", of which nobody says how many: tables at which so many sit, as a class does at desks put together.
     const bool desks = noun.head == "desk" && is_class(lexicon, document);
     const bool shared = (noun.head == "table" || desks) && noun.count == 0 && together > 2;
     (shared ? noun.seats : noun.together) = together;
+    if (in_groups > 1 && noun.count == 0) noun.count = shared ? in_groups : in_groups * together;
     if (const CatalogEntry* table = lexicon.catalog().find("table"); shared && desks && table != nullptr)
       noun.entry = table, noun.category = table->id;
     grouped = &noun;

@@ -213,6 +213,27 @@ void RelationBuilder::leave_window_to_sink() {
   });
 }
 
+// "L-shaped: sink under the window, stove on the other wall": at the wall that meets the sink's, and not far along it.
+void RelationBuilder::turn_other_leg(const std::vector<std::string>& units) {
+  constexpr Mm kFromCorner = 1200;
+  const auto washes =
+      std::ranges::find_if(units, [&](const std::string& unit) { return noun_of_object(*object_of(unit)).entry->is(Trait::kWashUp); });
+  const std::string main = washes == units.end() ? units.front() : *washes;
+  const std::size_t said = scene_.relations.size();
+  for (std::size_t r = 0; r < said; ++r) {
+    const Relation relation = scene_.relations[r];
+    const bool at_other =
+        (relation.type == R::kAgainstWall || relation.type == R::kOnWall) && relation.references.empty() && words_.have(relation, "other");
+    for (const std::string& unit : relation.targets) {
+      if (!at_other || unit == main || std::ranges::find(units, unit) == units.end()) continue;
+      add_habit(R::kPerpendicular, {unit}, {main}, kTogether, "the legs of an L meet at a corner");
+      scene_.relations.back().hard = true;
+      add_habit(R::kDistance, {unit}, {main}, kTogether, "the legs of an L meet at a corner");
+      scene_.relations.back().parameters.max = kFromCorner;
+    }
+  }
+}
+
 void RelationBuilder::settle_kitchen() {
   build_in_ovens();
   stand_hobs();
@@ -223,7 +244,9 @@ void RelationBuilder::settle_kitchen() {
   share_out_over_run(units);
   line_up_units(units);
   for (const KitchenForm& form : Dressings::builtin().kitchen_forms) {
-    if (form.form != "one wall" || !Spoken(scene_, {}, catalog_).says_any(form.words)) continue;
+    if (!Spoken(scene_, {}, catalog_).says_any(form.words)) continue;
+    if (form.form == "L") turn_other_leg(units);
+    if (form.form != "one wall") continue;
     for (std::size_t i = 1; i < units.size(); ++i)
       add_habit(R::kSameOrientation, {units[i]}, {units[0]}, kTogether, "the units of the kitchen stand along one wall");
   }

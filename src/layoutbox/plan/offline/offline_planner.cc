@@ -88,6 +88,7 @@ class OfflinePlanner final : public Planner {
     plan.scene.notes = std::move(document.notes);
     build_objects(document, plan.scene);
     build_room(lexicon_, document, size, plan.scene);
+    name_walls_by_openings(lexicon_, document, plan.scene);
     read_room_colors(lexicon_, document, plan.scene.room);
     build_relations(lexicon_, document, plan.scene);
     if (is_set(document.stop)) return stopped();

@@ -131,6 +131,45 @@ void share_out_openings(const Lexicon& lexicon, Document& document) {
   }
 }
 
+namespace {
+
+// "the front window", "the back windows": which wall; empty: it does not say. The left window may be one of two.
+std::string wall_in_name(const Lexicon& lexicon, const Document& document, const NounPhrase& noun) {
+  for (std::size_t i = noun.first; i < noun.last; ++i) {
+    const Match side = lexicon.find(document.tokens, i, WordClass::kWallWord);
+    const std::string wall(side.length == 0 ? std::string_view{} : meaning_of(side, WordClass::kWallWord)->word);
+    if (wall == "front" || wall == "back" || (noun.plural && (wall == "left" || wall == "right"))) return wall;
+  }
+  return {};
+}
+
+bool is_window(const Chunk& chunk) { return chunk.kind == ChunkKind::kNoun && chunk.noun.kind == NounKind::kWindow; }
+
+// The text puts that window into a wall, or brings in so many.
+bool is_told(const Document& document, std::size_t k) {
+  const NounPhrase& noun = document.chunks[k].noun;
+  const std::vector<Chunk>& chunks = document.chunks;
+  const bool put = k + 2 < chunks.size() && chunks[k + 1].kind == ChunkKind::kRelation && chunks[k + 2].kind == ChunkKind::kNoun &&
+                   chunks[k + 2].noun.kind == NounKind::kWall;
+  return put || !noun.wall_word.empty() || noun.count > 1 || (noun.plural && noun.determiner != Determiner::kDefinite);
+}
+
+// "plants in front of the shop window", "the north windows": in the wall where such a window is, where nothing else is told of windows.
+void settle_walls_of_names(const Lexicon& lexicon, Document& document) {
+  std::vector<Chunk>& chunks = document.chunks;
+  for (std::size_t k = 0; k < chunks.size(); ++k) {
+    if (is_window(chunks[k]) && is_told(document, k)) return;
+  }
+  for (Chunk& chunk : chunks) {
+    if (!is_window(chunk)) continue;
+    const std::string named = wall_in_name(lexicon, document, chunk.noun);
+    chunk.noun.wall_word =
+        named.empty() ? opening_look(OpeningType::kWindow, {words_between(document, chunk.first, chunk.last)}).wall : named;
+  }
+}
+
+}  // namespace
+
 // "a window to the east", "the entrance is on the left", "the window faces south": which wall.
 void settle_opening_walls(const Lexicon& lexicon, Document& document) {
   std::vector<Chunk>& chunks = document.chunks;
@@ -149,6 +188,7 @@ void settle_opening_walls(const Lexicon& lexicon, Document& document) {
       take_chunks(document, chunks[k].last, side.last, "which wall");
       continue;
     }
+    if (is_window(chunks[k]) && noun.wall_word.empty() && !noun.plural) noun.wall_word = wall_in_name(lexicon, document, noun);
     while (passed(n)) ++n;
     if (n >= chunks.size() || chunks[n].kind != ChunkKind::kRelation) continue;
     const std::size_t first = n++;
@@ -166,9 +206,46 @@ void settle_opening_walls(const Lexicon& lexicon, Document& document) {
       break;
     }
   }
+  settle_walls_of_names(lexicon, document);
 }
 
 namespace {
+
+// "(an entrance …) with a big window either side": one on each side of it, in its wall; where the words end, 0: that is not said.
+std::size_t beside_door_at(const Document& document, std::size_t i) {
+  const auto is = [&](std::size_t at, std::initializer_list<std::string_view> words) { return says_one_of(document, at, words); };
+  const bool on = is(i, {"on", "at", "to"});
+  if (on) ++i;
+  if (!is(i, {"either", "each", "both"}) || !is(i + 1, {"side", "sides"})) return 0;
+  i += 2;
+  if (is(i, {"of"}) && is(i + 1, {"it"})) return i + 2;
+  if (is(i, {"of"}) && is(i + 1, {"the"}) && is(i + 2, {"door", "entrance"})) return i + 3;
+  return i >= document.tokens.size() || document.tokens[i].kind == Token::Kind::kPunctuation ? i : 0;
+}
+
+// The door that this sentence named last before the chunk k; null: none.
+const NounPhrase* door_before(const Document& document, std::size_t k) {
+  while (k-- > 0 && document.chunks[k].kind != ChunkKind::kStop) {
+    if (document.chunks[k].kind == ChunkKind::kNoun && document.chunks[k].noun.kind == NounKind::kDoor) return &document.chunks[k].noun;
+  }
+  return nullptr;
+}
+
+// "the screen on the short wall, a door at the other end": across from the wall that this sentence named last, where no door or window
+// came before.
+std::string wall_across_from_named(const Document& document, std::size_t k) {
+  while (k-- > 0 && document.chunks[k].kind != ChunkKind::kStop) {
+    const NounPhrase& noun = document.chunks[k].noun;
+    if (document.chunks[k].kind != ChunkKind::kNoun) continue;
+    if (noun.kind == NounKind::kDoor || noun.kind == NounKind::kWindow) return {};
+    if (noun.kind != NounKind::kWall) continue;
+    const bool by_length =
+        std::ranges::any_of(noun.attributes, [](const std::string& word) { return one_of(word, WordSet::kLongOrShort); }) ||
+        one_of(noun.name.substr(0, noun.name.find(' ')), WordSet::kLongOrShort);
+    return by_length ? noun.name.find("long") != std::string::npos ? "long" : "short" : wall_across(noun.wall_word);
+  }
+  return {};
+}
 
 using WallSaid = std::pair<std::string, std::size_t>;  // which wall, and where the words end; none: ""
 
@@ -231,7 +308,7 @@ std::pair<std::string, std::size_t> middle_said_at(const Lexicon& lexicon, const
   }
   const bool wall = is(i, {"wall", "side", "end"});
   const bool ends = i >= document.tokens.size() || document.tokens[i].kind == Token::Kind::kPunctuation ||
-                    lexicon.is(document.tokens[i], WordClass::kAnd);  // "in the middle of the front"
+                    lexicon.is(document.tokens[i], WordClass::kAnd) || is(i, {"with"});  // "in the middle of the front"
   if (word.empty() || (!wall && !ends)) return {};
   return {word, i + (wall ? 1 : 0)};
 }
@@ -246,11 +323,23 @@ void settle_opening_ends(const Lexicon& lexicon, Document& document) {
     for (std::size_t n = k + 1; n < document.chunks.size() && document.chunks[n].kind == ChunkKind::kIgnored; ++n)
       first = document.chunks[n].last;
     while (says_one_of(document, first, {"is", "are", "being", "located", "placed", "situated"})) ++first;
+    const std::size_t beside = chunk.noun.kind == NounKind::kWindow ? beside_door_at(document, first) : 0;
+    if (const NounPhrase* door = beside > 0 ? door_before(document, k) : nullptr; door != nullptr) {
+      chunk.noun.wall_word = door->wall_word.empty() ? "front" : door->wall_word;
+      chunk.noun.count = 2, chunk.noun.plural = true;
+      take_chunks(document, first, beside, "which wall");
+      continue;
+    }
     const auto middle = middle_said_at(lexicon, document, first);
     const auto& [word, last] = middle.first.empty() ? end_said_at(document, first) : middle;
     if (word.empty()) continue;
-    chunk.noun.wall_word = word;
+    const std::string across = word == "other" ? wall_across_from_named(document, k) : std::string{};
+    chunk.noun.wall_word = across.empty() ? word : across;
     chunk.noun.in_middle = !middle.first.empty();
+    // "two windows in each long wall"
+    const bool each =
+        (word == "ends" || word == "lengths") && (says_one_of(document, first, {"per"}) || says_one_of(document, first + 1, {"each"}));
+    if (each && chunk.noun.count > 1) chunk.noun.count *= 2;
     take_chunks(document, first, last, "which wall");
   }
 }

@@ -138,7 +138,7 @@ class OwnerReader : public TokenReader {
   }
 
   // The token at i is read as the owner, and the thing is put in after it.
-  void name(std::size_t i, const std::string& owner, const std::string& thing) {
+  void name(std::size_t i, std::string owner, std::string thing) {  // copies: both may be of one that is listed
     owned_.push_back({owner, thing, i});
     tokens_[i].text = owner;
     put_in(i + 1, thing);

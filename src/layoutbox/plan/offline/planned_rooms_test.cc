@@ -140,9 +140,36 @@ TEST_F(PlannedRooms, WallsOfOpeningsByTheirSide) {
   }
 }
 
+// Windows are called after their walls or say them by what they are, walls after what is in them.
+TEST_F(PlannedRooms, WallsOfOpeningsByNames) {
+  const auto openings = [&](const char* text) {
+    const SceneGraph read = scene(text);
+    std::string all;
+    for (const Opening& o : read.room.openings) all += (all.empty() ? "" : ", ") + std::string(name_of(o.type)) + " " + o.wall;
+    return all;
+  };
+  EXPECT_EQ(openings("A café. A bench under the front window."), "window front, door ");
+  EXPECT_EQ(openings("A flower shop. Stands in front of the big shop window, a counter. Door in the front wall."),
+            "door front, window front");
+  EXPECT_EQ(openings("A shop with a shop window on the left wall. A table in front of the shop window."), "window left, door ");
+  EXPECT_EQ(openings("A studio. Two easels near the north windows. Three tall windows on the north side."),
+            "window back, window back, window back, door ");
+  EXPECT_EQ(openings("Coffee shop, entrance in the middle of the front with a big window either side. A counter."),
+            "door front, window front, window front");
+  EXPECT_EQ(openings("Meeting room 6 x 4 m. A screen on the left wall, glass door at the other end, a table."), "door right, window ");
+  EXPECT_EQ(openings("A bedroom, window on the right wall. A desk along the window wall."), "window right, door ");
+}
+
+TEST_F(PlannedRooms, EndsOfTheCompassAreTheNarrowSides) {
+  EXPECT_EQ(scene("Chapel, 12 m long and 7 m wide. Altar at the east end.").room.polygon, rectangle(12, 7));
+  EXPECT_EQ(scene("Chapel, 12 m long and 7 m wide. Altar at the north end.").room.polygon, rectangle(7, 12));
+}
+
 TEST_F(PlannedRooms, ReadsFloorAndWalls) {
   EXPECT_EQ(scene("A den with a sofa. Teal and white.").room.wall_material, "teal");
   EXPECT_EQ(scene("A kitchen in cream and walnut with a stove.").room.floor_material, "walnut floor");
+  EXPECT_EQ(scene("A bedroom with a bed and a shelf, dark green and white. A window above the desk.").room.wall_material, "dark green");
+  EXPECT_EQ(scene("A bedroom with a bed, a shelf, white curtains and a rug.").room.wall_material, "");
   EXPECT_EQ(scene("A bed and a wardrobe.").room.type, "bedroom");
   EXPECT_EQ(scene("I'm 9 and I want a loft bed and a wardrobe.").room.type, "kids_room");
   EXPECT_EQ(scene("I'm 49 and I want a bed and a wardrobe.").room.type, "bedroom");

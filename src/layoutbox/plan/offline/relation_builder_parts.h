@@ -182,6 +182,7 @@ class RelationBuilder : private RelationWriter {
   void build_in_ovens();
   void stand_hobs();
   void raise_stools();
+  void turn_other_leg(const std::vector<std::string>& units);
   void line_up_units(const std::vector<std::string>& units);
   std::string counter_of_run(const std::vector<std::string>& units) const;
   void place_at_counter(Relation& relation, const std::string& counter, bool left);

@@ -137,11 +137,21 @@ void RelationBuilder::add_each_other(const Link& link, const std::vector<int>& s
   }
 }
 
-// "two recliners side by side": turned alike, their fronts in line.
+// "two recliners side by side": turned alike, their fronts in line; of two kinds ("a treadmill and a bike") as far as it goes.
 void RelationBuilder::stand_in_line(const Link& link, const std::string& next, const std::string& one, const NounPhrase& other,
                                     const NounPhrase& neighbour) {
-  const bool twins = other.entry != nullptr && other.entry == neighbour.entry && other.entry->has_front && mount_of(other) == Mount::kFloor;
-  if (!twins || words_between(document_, link.first, link.last).find("side by side") == std::string::npos) return;
+  const auto has_place = [&](const NounPhrase& noun) {
+    return noun.entry != nullptr && noun.entry->has_front && mount_of(noun) == Mount::kFloor;
+  };
+  const std::string words = words_between(document_, link.first, link.last);
+  const bool abreast = words.find("side by side") != std::string::npos || words.find("next to each other") != std::string::npos;
+  if (!abreast || !has_place(other) || !has_place(neighbour)) return;
+  if (other.entry != neighbour.entry) {
+    for (const R type : {R::kSameOrientation, R::kEdgeAlign})
+      add_habit(type, {next}, {one}, kTogether, "what is side by side stands abreast");
+    return;
+  }
+  if (words.find("side by side") == std::string::npos) return;
   Link concluded = link;
   concluded.concluded = true;
   add(concluded, R::kSameOrientation, {next}, {one});

@@ -9,6 +9,7 @@ namespace {
 struct Scheme {
   std::string walls, floor;
   std::size_t length = 0;  // tokens
+  int colors = 0;
 };
 
 bool is_one_of(const Token& token, std::initializer_list<std::string_view> words) {
@@ -27,6 +28,7 @@ Scheme scheme_at(const Lexicon& lexicon, const std::vector<Token>& tokens, std::
     if (color.length > 0) {
       for (std::size_t w = i; w < i + color.length; ++w) shade += (shade.empty() ? "" : " ") + tokens[w].text;
       if (scheme.walls.empty()) scheme.walls = shade;
+      ++scheme.colors;
       shade.clear();
       i += color.length;
     } else if (material.length > 0) {
@@ -109,7 +111,10 @@ class RoomColors {
 
   void run() {
     for (std::size_t i = 0; i < document_.tokens.size(); ++i) {
-      if (i == 0 || document_.tokens[i - 1].ends_sentence) read_sentence(i);
+      if (i == 0 || document_.tokens[i - 1].ends_sentence)
+        read_sentence(i);
+      else if (document_.tokens[i - 1].text == ",")
+        read_clause(i);
     }
     for (const Chunk& chunk : document_.chunks) {
       if (chunk.kind != ChunkKind::kNoun) continue;
@@ -130,6 +135,18 @@ class RoomColors {
   void read_sentence(std::size_t first) {
     const Scheme scheme = scheme_at(lexicon_, document_.tokens, first);
     if (!scheme.walls.empty() && ends(document_.tokens, first + scheme.length)) take(scheme, first, first + scheme.length);
+  }
+
+  // "…, led lights, dark grey and purple.": several colors by themselves are nobody's but the room's.
+  void read_clause(std::size_t first) {
+    const auto is_look = [&](std::size_t at) {  // "a rug in red, blue and white"
+      return lexicon_.find(document_.tokens, at, WordClass::kColor).length > 0 ||
+             lexicon_.find(document_.tokens, at, WordClass::kMaterial).length > 0;
+    };
+    if (first < 2 || is_look(first - 2)) return;
+    const Scheme scheme = scheme_at(lexicon_, document_.tokens, first);
+    const std::size_t end = first + scheme.length;
+    if (scheme.colors > 1 && (ends(document_.tokens, end) || document_.tokens[end - 1].text == ",")) take(scheme, first, end);
   }
 
   // "A den in teal and white with …"

@@ -66,7 +66,7 @@ std::pair<std::string, std::string> walls_by_length(const NounPhrase& noun, cons
 
 // "French doors", "double doors", "sliding doors": one opening, whose leaves they are.
 int openings_said(const NounPhrase& noun) {
-  if (noun.wall_word == "ends" || noun.wall_word == "lengths") return 2;  // "a window at both ends"
+  if (noun.wall_word == "ends" || noun.wall_word == "lengths") return std::max(2, noun.count);  // "a window at both ends"
   const bool glass = noun.kind == NounKind::kWindow && opening_look(OpeningType::kWindow, {words_of_opening(noun)}).whole;
   if (noun.count == 0 && (glass || (noun.kind == NounKind::kWindow && is_front(OpeningType::kWindow, noun)))) return 1;
   if (noun.kind == NounKind::kDoor && noun.plural) {
@@ -163,11 +163,9 @@ std::string wall_of_opening(const std::string& word, OpeningType type, const Roo
   NounPhrase wall;
   wall.name = word == "long" || word == "lengths" ? "long wall" : "short wall";
   const auto [one, other] = walls_by_length(wall, room);
-  const auto is_taken = [&](const std::string& side) {
-    return std::ranges::any_of(room.openings, [&](const Opening& opening) { return opening.wall == side; });
-  };
-  if (word == "ends" || word == "lengths") return is_taken(one) ? other : one;
-  const bool taken = is_taken(other);
+  const auto taken_at = [&](const std::string& side) { return std::ranges::count(room.openings, side, &Opening::wall); };
+  if (word == "ends" || word == "lengths") return taken_at(one) > taken_at(other) ? other : one;
+  const bool taken = taken_at(other) > 0;
   return type == OpeningType::kWindow || taken ? one : other;
 }
 

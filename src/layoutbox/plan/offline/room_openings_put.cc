@@ -61,6 +61,16 @@ void resize_openings(Room& room, const Opening& like) {
   }
 }
 
+// Windows of which so many are there already, brought in by what is told to be at them, are as many as are counted and look as is said.
+void complete_openings(SceneGraph& scene, const NounPhrase& noun, OpeningType type, int known) {
+  const Opening meant = opening_said(type, noun);
+  for (Opening& opening : scene.room.openings) {
+    if (opening.type != type || !is_usual(opening)) continue;
+    opening.width = meant.width, opening.height = meant.height, opening.sill = meant.sill;
+  }
+  for (int i = known; i < std::min(openings_said(noun), 12); ++i) add_opening(scene, type, noun, noun.wall_word);
+}
+
 OpeningType opening_type(const Mention& mention) {
   return mention.noun.kind == NounKind::kDoor ? OpeningType::kDoor : OpeningType::kWindow;
 }
@@ -163,6 +173,9 @@ void add_openings(const Document& document, SceneGraph& scene) {
     if (there != scene.room.openings.end()) {  // "there is a window in the back wall. The window is 2 m wide."
       if (there->attributes.empty()) there->attributes = meant.attributes;
       if (mention.noun.size.any()) resize_openings(scene.room, meant);
+      // "by the north windows … Three tall windows north": as many as are counted.
+      if (mention.noun.count > 1)
+        complete_openings(scene, mention.noun, type, static_cast<int>(std::ranges::count_if(scene.room.openings, same)));
       continue;
     }
     const int count = openings_said(mention.noun);

@@ -83,6 +83,17 @@ bool turns_by_walls(const Document& document, Mm width, Mm depth) {
   });
 }
 
+// "12 m long and 7 m wide, the altar at the east end": a room's ends are its narrow sides.
+bool turns_by_ends(const Document& document, Mm width, Mm depth) {
+  for (std::size_t i = 0; i + 1 < document.tokens.size(); ++i) {
+    if (!says_one_of(document, i + 1, {"end", "ends"}) || (says_one_of(document, i + 2, {"of"}) && !says_one_of(document, i + 4, {"room"})))
+      continue;
+    if (says_one_of(document, i, {"east", "eastern", "west", "western"})) return width < depth;
+    if (says_one_of(document, i, {"north", "northern", "south", "southern"})) return width > depth;
+  }
+  return false;
+}
+
 void set_size(const Document& document, RoomSize size, SceneGraph& scene) {
   Room& room = scene.room;
   // "circular, about 6 metres across": one side says the other
@@ -93,7 +104,7 @@ void set_size(const Document& document, RoomSize size, SceneGraph& scene) {
     // "long and narrow, 4.5 x 2.2 m": one comes in at a narrow end, and its long sides are the left and the right one.
     const bool by_sides = std::ranges::any_of(document.tokens, [](const Token& t) { return t.text == "left" || t.text == "right"; });
     if (room.shape == "long" && !document.niche && by_sides && w > d) std::swap(w, d);
-    if (!document.niche && turns_by_walls(document, w, d)) std::swap(w, d);
+    if (!document.niche && (turns_by_walls(document, w, d) || turns_by_ends(document, w, d))) std::swap(w, d);
     room.polygon = document.niche ? outline_with_niche(w, d, *document.niche) : room_outline(room.shape, w, d);
   } else if (size.area > 0) {
     room.area_m2 = size.area;

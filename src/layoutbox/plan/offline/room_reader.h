@@ -91,4 +91,8 @@ std::string read_room_form(const Lexicon& lexicon, const Document& document);
 // Fills the scene's room from what was read.
 void build_room(const Lexicon& lexicon, const Document& document, const RoomSize& size, SceneGraph& scene);
 
+// "the window wall", "the wall with the door": the wall of that opening, which is in the usual one where nobody says. REQUIRES: the room is
+// read.
+void name_walls_by_openings(const Lexicon& lexicon, Document& document, SceneGraph& scene);
+
 }  // namespace layoutbox::offline

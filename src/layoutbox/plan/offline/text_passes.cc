@@ -23,6 +23,7 @@
 #include "layoutbox/plan/offline/runs.h"
 #include "layoutbox/plan/offline/said_counts.h"
 #include "layoutbox/plan/offline/shelf_subjects.h"
+#include "layoutbox/plan/offline/side_shares.h"
 #include "layoutbox/plan/offline/side_subjects.h"
 #include "layoutbox/plan/offline/slopes.h"
 #include "layoutbox/plan/offline/their_own.h"
@@ -50,6 +51,8 @@ constexpr WordPass kWordPasses[] = {
     {"labels", read_labels, "A bedroom with a bed for under 200 dollars.", "A bedroom with a bed."},
     {"corrected counts", read_corrected_counts, "A bedroom with one nightstand, make that two.", "A bedroom with two nightstands."},
     {"alternatives", read_alternatives, "A bedroom with a bed and a desk or a table.", "A bedroom with a bed and a desk."},
+    {"side shares", read_side_shares, "A table with eight chairs: three on each long side and one at each end.",
+     "A table with three chairs on each long side and one at each end."},
     {"said counts", read_said_counts, "An office with desks (qty 4).", "An office with four desks."},
     {"courtesies", read_courtesies, "A bedroom with a bed, and if you could also put in a desk.", "A bedroom with a bed and a desk."},
     {"requests", read_requests, "I was hoping to have a bed in the corner.", "A bed in the corner."},

@@ -102,6 +102,7 @@ class ZoneReader {
     if (row != nullptr) take_meaning(zone, *row);
     if (zone.items.empty() && row != nullptr && !fronted && is_brought_in(c)) furnish(zone, *row);
     if (zone.items.empty()) return;
+    if (place == 0) take_place_behind(zone);
     const std::optional<RoomRegion> region = place > 0 ? region_at(place) : std::nullopt;
     if (region && std::ranges::any_of(zone.items, [&](int item) { return stands(item); }))
       put_in(zone, place, *region);
@@ -196,6 +197,31 @@ class ZoneReader {
       if (document_.mentions[m].introduces && contains(document_.mentions[m].items, item)) return static_cast<int>(m);
     }
     return -1;
+  }
+
+  // "a seating area with a sofa, an armchair and a low table in the corner by the window": no table is meant that has the corner to itself.
+  void take_place_behind(Zone& zone) {
+    const int last = mention_of(zone.items.back());
+    if (zone.items.size() < 2 || last < 0) return;
+    const NounPhrase& thing = document_.mentions[static_cast<std::size_t>(last)].noun;
+    const bool seated = thing.entry != nullptr && (thing.entry->is(Trait::kCoffeeTable) || thing.entry->is(Trait::kEasySeat));
+    const auto is_place = [&](const Link& link) {
+      return link.kind == Link::Kind::kRelation && link.targets == std::vector<int>{last} && link.first >= thing.last &&
+             link.references.size() == 1 && is_part_of_room(document_.mentions[static_cast<std::size_t>(link.references[0])].noun);
+    };
+    for (Link& link : document_.links) {
+      if (!seated || !is_place(link)) continue;
+      const NounPhrase& part = document_.mentions[static_cast<std::size_t>(link.references[0])].noun;
+      link.targets = {mention_of(zone.items.front())};
+      zone.corner |= part.kind == NounKind::kCorner && part.wall_word.empty();
+    }
+    if (zone.corner) {
+      std::erase_if(document_.links, [&](const Link& link) {
+        const bool own = link.kind == Link::Kind::kRelation && link.targets == std::vector<int>{mention_of(zone.items.front())};
+        return own && link.references.size() == 1 && link.first >= thing.last &&
+               document_.mentions[static_cast<std::size_t>(link.references[0])].noun.kind == NounKind::kCorner;
+      });
+    }
   }
 
   bool is_placed(int item, std::size_t zone) const {

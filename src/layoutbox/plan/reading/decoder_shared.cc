@@ -32,6 +32,8 @@ double Decoder::share_score(const State& state, int member, int u, Referent impl
   // "an altar and six pews in two columns": the pews
   if (says(senses, RelationType::kGrid) && noun.count > 2 && !before.is_plural()) return -10;
   if (says(senses, RelationType::kRow) || says(senses, RelationType::kGrid) || says(senses, RelationType::kEvenlySpaced)) return 2;
+  // "a shoe cabinet and a mirror over it": what stands on the floor is above nothing.
+  if (says(senses, RelationType::kAbove) && mount_of(before) == Mount::kFloor && mount_of(noun) != Mount::kFloor) return -10;
   const NounPhrase& by = implied != kNobody ? noun_of(state, implied) : follows(u, UnitKind::kNoun) ? chunk(u + 1).noun : nothing_;
   // "a chair and a lamp for each desk"
   if (by.determiner == Determiner::kEach && chunk(u).kind == ChunkKind::kPurpose && joiner != Joiner::kComma) return weight::kShareVerb;

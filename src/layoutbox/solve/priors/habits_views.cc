@@ -23,7 +23,9 @@ ItemId Habits::mirror_of(ItemId item) const {
   }
   const auto elsewhere = [&](const Relation* r) {
     const bool target = std::ranges::find(r->targets, self.id) != r->targets.end();
-    return target && !traits_of(r->type).turns && (!told.exists() || r->references != std::vector<std::string>{model_.items[told].id});
+    // That they stand in a row says nothing of where the row is.
+    return target && !traits_of(r->type).turns && r->type != RelationType::kRow &&
+           (!told.exists() || r->references != std::vector<std::string>{model_.items[told].id});
   };
   if (std::ranges::any_of(said_of(item), elsewhere)) return {};
   return told.exists() ? told : usual_mirror_of(item);
