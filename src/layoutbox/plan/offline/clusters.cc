@@ -11,14 +11,14 @@ namespace layoutbox::offline {
 namespace {
 
 // How many stand together, the tokens that say it, and in how many such groups; 0: that is not said.
-struct Together {
+struct GroupsSaid {
   int count = 0;
   std::size_t last = 0;
   int groups = 0;
 };
 
 // "in groups of four, five groups": the groups are counted behind.
-void read_groups_behind(const Lexicon& lexicon, const Document& document, Together& together) {
+void read_groups_behind(const Lexicon& lexicon, const Document& document, GroupsSaid& together) {
   std::size_t at = together.last;
   if (says_one_of(document, at, {",", "("})) ++at;
   const NumberRead groups = read_number(lexicon, document.tokens, at);
@@ -31,10 +31,10 @@ void read_groups_behind(const Lexicon& lexicon, const Document& document, Togeth
 }
 
 // "in groups of four", "in five groups of four", "in pairs".
-Together together_at(const Lexicon& lexicon, const Document& document, std::size_t at) {
+GroupsSaid together_at(const Lexicon& lexicon, const Document& document, std::size_t at) {
   if (says_one_of(document, at, {"arranged", "grouped", "placed", "set", "seated", "sitting", "sit", "working"})) ++at;
   if (!says_one_of(document, at, {"in", "into", "at"})) return {};
-  Together together;
+  GroupsSaid together;
   if (const NumberRead count = read_number(lexicon, document.tokens, at + 1);  // "in three groups of four"
       count.length > 0 && says_one_of(document, at + 1 + count.length, WordSet::kClustersOrRows)) {
     if (says_one_of(document, at + 1 + count.length, WordSet::kClusters)) together.groups = static_cast<int>(count.value);
