@@ -33,7 +33,7 @@ inline Relation relation(SceneGraph& scene, RelationType type, std::vector<std::
 }
 
 inline void add(SceneGraph& scene, RelationType type, std::vector<std::string> targets, std::vector<std::string> references,
-         RelationParameters parameters = {}) {
+                RelationParameters parameters = {}) {
   scene.relations.push_back(relation(scene, type, std::move(targets), std::move(references)));
   scene.relations.back().parameters = std::move(parameters);
 }

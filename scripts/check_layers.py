@@ -23,6 +23,10 @@ FLOORS = (
     ("experiment", "serve"),
     ("cli",),
 )
+# The floors inside a folder; what stands in the folder itself is known to all of them.
+INNER_FLOORS = {
+    "plan": (("words",), ("syntax", "phrases"), ("passes", "room"), ("relations", "reading"), ("offline",), ("edit", "llm")),
+}
 # Lower floors that a folder may not know either: the verifier judges what these make, so it shares no code with them.
 FORBIDDEN = {"verify": {"plan", "solve", "furnish"}}
 # Folders behind an interface: besides the folder that holds them, only these make one and hand it on.
@@ -37,16 +41,30 @@ TYPE = re.compile(
 )
 ALIAS = re.compile(r"^(?:template *<[^>]*>\s*)?using\s+([A-Za-z_]\w*)\s*=\s*([^;]*);", re.MULTILINE)
 FLOOR_OF = {folder: floor for floor, folders in enumerate(FLOORS) for folder in folders}
+INNER_FLOOR_OF = {
+    f"{folder}/{inner}": floor for folder, floors in INNER_FLOORS.items() for floor, inners in enumerate(floors) for inner in inners
+}
 GENERATED = "embedded"  # headers that the build makes from data
 
 
-def fault(folder, included):
-    """Why `folder` may not include "`included`" (a path as written), or None where it may."""
+def inner_fault(inner, other):
+    """Why the folder `inner` ("plan/words") may not know `other` of the same folder, or None where it may, or where neither has a floor."""
+    floor, floor_of_other = INNER_FLOOR_OF.get(inner), INNER_FLOOR_OF.get(other)
+    if inner == other or floor is None or floor_of_other is None or floor_of_other < floor:
+        return None
+    return f"{other}/ is " + (f"above {inner}/" if floor_of_other > floor else f"on the same floor as {inner}/")
+
+
+def fault(where, included):
+    """Why a file in the folder `where` ("plan/words") may not include "`included`" (a path as written), or None where it may."""
+    folder = where.split("/")[0]
     parts = Path(included).parts
     if len(parts) < 3 or parts[0] != "layoutbox" or ".." in parts:
         return "write the path from src/ on: layoutbox/FOLDER/FILE"
     other = parts[1]
-    if other in (folder, GENERATED):
+    if other == folder:
+        return inner_fault(where, "/".join(parts[1:3]))
+    if other == GENERATED:
         return None
     if other not in FLOOR_OF:
         return f"{other}/ has no floor; give it one in scripts/check_layers.py"
@@ -75,7 +93,7 @@ def faults(source):
         text = path.read_text(encoding="utf-8")
         for match in INCLUDE.finditer(text):
             included = match.group(1) or match.group(2)
-            reason = fault(folder, included)
+            reason = fault(inside.parent.as_posix(), included)
             if reason:
                 line = text.count("\n", 0, match.start(match.lastindex)) + 1
                 yield f"{path}:{line}: includes {included}: {reason}"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "layoutbox/plan/offline/tokens.h"
 #include "layoutbox/plan/syntax/syntax.h"
+#include "layoutbox/plan/words/tokens.h"
 
 namespace {
 

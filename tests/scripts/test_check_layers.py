@@ -50,6 +50,14 @@ class CheckLayers(unittest.TestCase):
     def test_subfolders_are_looked_at(self):
         self.assertEqual(self.check(solve__cp_sat__a='#include "layoutbox/render/render.h"\n')[0], 1)
 
+    def test_folders_inside_have_floors_too(self):
+        status, out = self.check(plan__words__a='#include "layoutbox/plan/phrases/chunks.h"\n')
+        self.assertEqual(status, 1)
+        self.assertIn("plan/phrases/ is above plan/words/", out)
+        self.assertIn("on the same floor", self.check(plan__edit__a='#include "layoutbox/plan/llm/conversation.h"\n')[1])
+        down = '#include "layoutbox/plan/words/tokens.h"\n#include "layoutbox/plan/planner.h"\n'
+        self.assertEqual(self.check(plan__phrases__a=down, plan__offline__b='#include "layoutbox/plan/phrases/a.h"\n')[0], 0)
+
     def test_unknown_folder_is_a_fault(self):
         self.assertEqual(self.check(attic__a="")[0], 1)
 

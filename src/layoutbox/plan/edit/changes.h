@@ -6,7 +6,7 @@
 
 #include "layoutbox/plan/edit.h"
 #include "layoutbox/plan/edit/world.h"
-#include "layoutbox/plan/offline/lexicon.h"
+#include "layoutbox/plan/words/lexicon.h"
 
 namespace layoutbox::edit {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "layoutbox/plan/edit/changes.h"
-#include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/phrases/knowledge.h"
 
 namespace layoutbox::edit {
 

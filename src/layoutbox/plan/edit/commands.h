@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "layoutbox/plan/offline/tokens.h"
+#include "layoutbox/plan/words/tokens.h"
 
 namespace layoutbox::edit {
 

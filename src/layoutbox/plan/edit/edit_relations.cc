@@ -4,8 +4,8 @@
 
 #include "layoutbox/plan/edit/edit_reader.h"
 #include "layoutbox/plan/edit/edit_reader_parts.h"
-#include "layoutbox/plan/offline/knowledge.h"
-#include "layoutbox/plan/offline/relation_builder.h"
+#include "layoutbox/plan/phrases/knowledge.h"
+#include "layoutbox/plan/relations/relation_builder.h"
 
 namespace layoutbox::edit {
 

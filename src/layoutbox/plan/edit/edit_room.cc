@@ -4,8 +4,8 @@
 
 #include "layoutbox/plan/edit/edit_reader.h"
 #include "layoutbox/plan/edit/edit_reader_parts.h"
-#include "layoutbox/plan/offline/reader_words.h"
-#include "layoutbox/plan/offline/room_reader.h"
+#include "layoutbox/plan/phrases/reader_words.h"
+#include "layoutbox/plan/room/room_reader.h"
 
 namespace layoutbox::edit {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "layoutbox/plan/offline/document.h"
+#include "layoutbox/plan/phrases/document.h"
 #include "layoutbox/scene/layout.h"
 
 namespace layoutbox::edit {

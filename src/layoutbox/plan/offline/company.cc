@@ -4,8 +4,8 @@
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/kin.h"
 #include "layoutbox/catalog/trait_table.h"
-#include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/people.h"
+#include "layoutbox/plan/phrases/knowledge.h"
 
 namespace layoutbox::offline {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "layoutbox/plan/offline/document.h"
+#include "layoutbox/plan/phrases/document.h"
 
 namespace layoutbox::offline {
 

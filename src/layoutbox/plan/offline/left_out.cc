@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "layoutbox/plan/offline/english.h"
+#include "layoutbox/plan/words/english.h"
 
 namespace layoutbox::offline {
 namespace {

@@ -1,7 +1,7 @@
 // What the text names and the scene does not have.
 #pragma once
 
-#include "layoutbox/plan/offline/document.h"
+#include "layoutbox/plan/phrases/document.h"
 
 namespace layoutbox::offline {
 

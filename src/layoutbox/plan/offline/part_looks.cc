@@ -5,10 +5,10 @@
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/catalog/word_lists.h"
-#include "layoutbox/plan/offline/knowledge.h"
-#include "layoutbox/plan/offline/reader_words.h"
-#include "layoutbox/plan/offline/room_reader.h"
-#include "layoutbox/plan/offline/word_sets.h"
+#include "layoutbox/plan/phrases/knowledge.h"
+#include "layoutbox/plan/phrases/reader_words.h"
+#include "layoutbox/plan/room/room_reader.h"
+#include "layoutbox/plan/words/word_sets.h"
 
 namespace layoutbox::offline {
 namespace {

@@ -3,16 +3,16 @@
 #include <algorithm>
 
 #include "layoutbox/catalog/trait_table.h"
-#include "layoutbox/plan/offline/clusters.h"
-#include "layoutbox/plan/offline/english.h"
-#include "layoutbox/plan/offline/knowledge.h"
-#include "layoutbox/plan/offline/mention_links.h"
-#include "layoutbox/plan/offline/noun_phrase_parts.h"
-#include "layoutbox/plan/offline/reader_words.h"
-#include "layoutbox/plan/offline/seat_builder.h"
-#include "layoutbox/plan/offline/splice.h"
-#include "layoutbox/plan/offline/table_seats.h"
-#include "layoutbox/plan/offline/word_sets.h"
+#include "layoutbox/plan/passes/clusters.h"
+#include "layoutbox/plan/phrases/knowledge.h"
+#include "layoutbox/plan/phrases/noun_phrase_parts.h"
+#include "layoutbox/plan/phrases/reader_words.h"
+#include "layoutbox/plan/phrases/splice.h"
+#include "layoutbox/plan/relations/mention_links.h"
+#include "layoutbox/plan/relations/seat_builder.h"
+#include "layoutbox/plan/relations/table_seats.h"
+#include "layoutbox/plan/words/english.h"
+#include "layoutbox/plan/words/word_sets.h"
 
 namespace layoutbox::offline {
 namespace {

@@ -7,11 +7,11 @@
 #include "layoutbox/catalog/kin.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/catalog/word_lists.h"
-#include "layoutbox/plan/offline/english.h"
-#include "layoutbox/plan/offline/knowledge.h"
-#include "layoutbox/plan/offline/noun_phrase_parts.h"
 #include "layoutbox/plan/offline/people.h"
-#include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/phrases/knowledge.h"
+#include "layoutbox/plan/phrases/noun_phrase_parts.h"
+#include "layoutbox/plan/phrases/reader_words.h"
+#include "layoutbox/plan/words/english.h"
 
 namespace layoutbox::offline {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "layoutbox/plan/offline/document.h"
+#include "layoutbox/plan/phrases/document.h"
 
 namespace layoutbox::offline {
 

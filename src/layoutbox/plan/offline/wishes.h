@@ -1,15 +1,12 @@
 // Rooms of which no furniture is named: what they are for, and what is usual there.
 #pragma once
 
-#include "layoutbox/plan/offline/document.h"
+#include "layoutbox/plan/phrases/document.h"
 
 namespace layoutbox::offline {
 
 // A room of no named kind with a bed is a bedroom, with a stove a kitchen …: what the things that are named say for certain.
 void name_room_by_contents(const Lexicon& lexicon, const Document& document, SceneGraph& scene);
-
-// "with a kitchen along the right wall", "… on the left": the wall, or empty.
-std::string wall_of_kitchen(const Document& document);
 
 // Furnishes a scene without objects: with what is usual in the kinds of room that the text names; where it names none, in the one that
 // its activities, people or things suggest ("somewhere to relax", "for a robot to practise picking up mugs"). What it names within a

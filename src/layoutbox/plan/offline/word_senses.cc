@@ -6,9 +6,9 @@
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/kin.h"
 #include "layoutbox/catalog/word_lists.h"
-#include "layoutbox/plan/offline/noun_phrase_parts.h"
 #include "layoutbox/plan/offline/people.h"
-#include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/phrases/noun_phrase_parts.h"
+#include "layoutbox/plan/phrases/reader_words.h"
 
 namespace layoutbox::offline {
 

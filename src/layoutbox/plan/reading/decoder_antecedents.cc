@@ -1,8 +1,8 @@
 // Whom a pronoun, a member of a group, or a reference that is not said may mean.
 #include <algorithm>
 
-#include "layoutbox/plan/offline/knowledge.h"
-#include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/phrases/knowledge.h"
+#include "layoutbox/plan/phrases/reader_words.h"
 #include "layoutbox/plan/reading/decoder.h"
 #include "layoutbox/plan/reading/weights.h"
 

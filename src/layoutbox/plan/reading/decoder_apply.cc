@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "layoutbox/plan/offline/knowledge.h"
-#include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/phrases/knowledge.h"
+#include "layoutbox/plan/phrases/reader_words.h"
 #include "layoutbox/plan/reading/decoder.h"
 #include "layoutbox/plan/reading/weights.h"
 

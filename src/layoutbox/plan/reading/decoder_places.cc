@@ -1,11 +1,11 @@
 // What a place is said of.
 #include <algorithm>
 
-#include "layoutbox/plan/offline/knowledge.h"
-#include "layoutbox/plan/offline/reader_words.h"
-#include "layoutbox/plan/offline/room_reader.h"
+#include "layoutbox/plan/phrases/knowledge.h"
+#include "layoutbox/plan/phrases/reader_words.h"
 #include "layoutbox/plan/reading/decoder.h"
 #include "layoutbox/plan/reading/weights.h"
+#include "layoutbox/plan/room/room_reader.h"
 
 namespace layoutbox::offline {
 

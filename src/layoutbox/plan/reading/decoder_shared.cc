@@ -1,7 +1,7 @@
 // Which of a list share a place: "a bed and a desk against the wall".
 #include "layoutbox/catalog/trait_table.h"
-#include "layoutbox/plan/offline/knowledge.h"
-#include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/phrases/knowledge.h"
+#include "layoutbox/plan/phrases/reader_words.h"
 #include "layoutbox/plan/reading/decoder.h"
 #include "layoutbox/plan/reading/weights.h"
 

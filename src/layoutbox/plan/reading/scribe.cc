@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "layoutbox/plan/offline/knowledge.h"
-#include "layoutbox/plan/offline/noun_phrase_parts.h"
-#include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/phrases/knowledge.h"
+#include "layoutbox/plan/phrases/noun_phrase_parts.h"
+#include "layoutbox/plan/phrases/reader_words.h"
 
 namespace layoutbox::offline {
 

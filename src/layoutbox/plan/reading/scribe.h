@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "layoutbox/plan/offline/references.h"
 #include "layoutbox/plan/reading/reading.h"
+#include "layoutbox/plan/reading/references.h"
 
 namespace layoutbox::offline {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "layoutbox/catalog/trait_table.h"
-#include "layoutbox/plan/offline/english.h"
-#include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/phrases/knowledge.h"
 #include "layoutbox/plan/reading/scribe.h"
+#include "layoutbox/plan/words/english.h"
 
 namespace layoutbox::offline {
 

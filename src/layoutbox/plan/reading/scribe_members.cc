@@ -1,8 +1,8 @@
 // Mentions of one of several, of more of a kind, of what was named before.
 #include <algorithm>
 
-#include "layoutbox/plan/offline/knowledge.h"
-#include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/phrases/knowledge.h"
+#include "layoutbox/plan/phrases/reader_words.h"
 #include "layoutbox/plan/reading/decoder.h"
 #include "layoutbox/plan/reading/scribe.h"
 

@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "layoutbox/catalog/trait_table.h"
-#include "layoutbox/plan/offline/knowledge.h"
-#include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/phrases/knowledge.h"
+#include "layoutbox/plan/phrases/reader_words.h"
 #include "layoutbox/plan/reading/scribe.h"
 
 namespace layoutbox::offline {

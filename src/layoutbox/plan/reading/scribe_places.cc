@@ -2,10 +2,10 @@
 #include <algorithm>
 
 #include "layoutbox/catalog/kin.h"
-#include "layoutbox/plan/offline/knowledge.h"
-#include "layoutbox/plan/offline/reader_words.h"
-#include "layoutbox/plan/offline/word_sets.h"
+#include "layoutbox/plan/phrases/knowledge.h"
+#include "layoutbox/plan/phrases/reader_words.h"
 #include "layoutbox/plan/reading/scribe.h"
+#include "layoutbox/plan/words/word_sets.h"
 
 namespace layoutbox::offline {
 

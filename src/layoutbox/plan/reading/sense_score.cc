@@ -1,10 +1,10 @@
 #include "layoutbox/plan/reading/sense_score.h"
 
 #include "layoutbox/catalog/trait_table.h"
-#include "layoutbox/plan/offline/knowledge.h"
-#include "layoutbox/plan/offline/reader_words.h"
-#include "layoutbox/plan/offline/word_sets.h"
+#include "layoutbox/plan/phrases/knowledge.h"
+#include "layoutbox/plan/phrases/reader_words.h"
 #include "layoutbox/plan/reading/weights.h"
+#include "layoutbox/plan/words/word_sets.h"
 
 namespace layoutbox::offline {
 

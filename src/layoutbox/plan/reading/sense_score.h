@@ -1,7 +1,7 @@
 // How much sense a place makes between two things.
 #pragma once
 
-#include "layoutbox/plan/offline/document.h"
+#include "layoutbox/plan/phrases/document.h"
 
 namespace layoutbox::offline {
 

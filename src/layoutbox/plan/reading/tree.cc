@@ -5,8 +5,8 @@
 #include <string_view>
 #include <utility>
 
-#include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/syntax/syntax.h"
+#include "layoutbox/plan/words/english.h"
 
 namespace layoutbox::offline {
 

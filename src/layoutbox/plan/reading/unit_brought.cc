@@ -1,9 +1,9 @@
 // Clauses that seem to say what something is for, and bring things in: who put them there, what a thing keeps, offers or serves for.
 
-#include "layoutbox/plan/offline/knowledge.h"
-#include "layoutbox/plan/offline/reader_words.h"
-#include "layoutbox/plan/offline/word_sets.h"
+#include "layoutbox/plan/phrases/knowledge.h"
+#include "layoutbox/plan/phrases/reader_words.h"
 #include "layoutbox/plan/reading/unit_reader.h"
+#include "layoutbox/plan/words/word_sets.h"
 
 namespace layoutbox::offline {
 

@@ -1,8 +1,8 @@
 // Noun phrases whose company says what they are: things among things, things spoken of again, shares of what was named.
-#include "layoutbox/plan/offline/english.h"
-#include "layoutbox/plan/offline/knowledge.h"
-#include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/phrases/knowledge.h"
+#include "layoutbox/plan/phrases/reader_words.h"
 #include "layoutbox/plan/reading/unit_reader.h"
+#include "layoutbox/plan/words/english.h"
 
 namespace layoutbox::offline {
 

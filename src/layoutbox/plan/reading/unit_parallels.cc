@@ -1,9 +1,9 @@
 // What a text says once and means twice: "on one wall …, on the other …", "its twin", "the pair".
 #include <algorithm>
 
-#include "layoutbox/plan/offline/knowledge.h"
-#include "layoutbox/plan/offline/word_sets.h"
+#include "layoutbox/plan/phrases/knowledge.h"
 #include "layoutbox/plan/reading/unit_reader.h"
+#include "layoutbox/plan/words/word_sets.h"
 
 namespace layoutbox::offline {
 

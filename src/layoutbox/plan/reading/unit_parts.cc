@@ -3,9 +3,9 @@
 
 #include "layoutbox/catalog/kin.h"
 #include "layoutbox/catalog/trait_table.h"
-#include "layoutbox/plan/offline/knowledge.h"
-#include "layoutbox/plan/offline/word_sets.h"
+#include "layoutbox/plan/phrases/knowledge.h"
 #include "layoutbox/plan/reading/unit_reader.h"
+#include "layoutbox/plan/words/word_sets.h"
 
 namespace layoutbox::offline {
 

@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "layoutbox/catalog/trait_table.h"
-#include "layoutbox/plan/offline/knowledge.h"
-#include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/phrases/knowledge.h"
+#include "layoutbox/plan/phrases/reader_words.h"
 #include "layoutbox/plan/reading/unit_reader.h"
 #include "layoutbox/plan/reading/units.h"
 

@@ -1,8 +1,8 @@
 // Purposes, and what is not wanted.
 
-#include "layoutbox/plan/offline/english.h"
-#include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/phrases/reader_words.h"
 #include "layoutbox/plan/reading/unit_reader.h"
+#include "layoutbox/plan/words/english.h"
 
 namespace layoutbox::offline {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/phrases/reader_words.h"
 #include "layoutbox/plan/reading/units.h"
 
 namespace layoutbox::offline {

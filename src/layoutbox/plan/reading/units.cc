@@ -3,8 +3,8 @@
 #include <string>
 #include <utility>
 
-#include "layoutbox/plan/offline/knowledge.h"
-#include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/phrases/knowledge.h"
+#include "layoutbox/plan/phrases/reader_words.h"
 #include "layoutbox/plan/reading/unit_reader.h"
 
 namespace layoutbox::offline {

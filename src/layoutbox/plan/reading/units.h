@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "layoutbox/plan/offline/document.h"
+#include "layoutbox/plan/phrases/document.h"
 
 namespace layoutbox::offline {
 

@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string>
 
-#include "layoutbox/plan/offline/tokens.h"
+#include "layoutbox/plan/words/tokens.h"
 
 namespace layoutbox::syntax {
 namespace {

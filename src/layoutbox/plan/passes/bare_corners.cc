@@ -1,0 +1,96 @@
+#include "layoutbox/plan/passes/bare_corners.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <string_view>
+#include <utility>
+
+#include "layoutbox/plan/phrases/splice.h"
+
+namespace layoutbox::offline {
+namespace {
+
+// "back right" and "right back" at `at`, with no noun after it that it says which one of.
+bool names_corner(const Lexicon& lexicon, const Document& document, std::size_t at) {
+  const auto depth = [&](std::size_t i) { return says_one_of(document, i, {"front", "back", "rear", "far", "near"}); };
+  const auto side = [&](std::size_t i) { return says_one_of(document, i, {"left", "right"}); };
+  const std::vector<Token>& tokens = document.tokens;
+  if (!((depth(at) && side(at + 1)) || (side(at) && depth(at + 1))) || tokens[at].ends_sentence) return false;
+  const std::size_t next = at + 2;
+  if (next >= tokens.size() || tokens[at + 1].ends_sentence || tokens[next].kind == Token::Kind::kPunctuation) return true;
+  if (says_one_of(document, next, {"of", "with"}) || lexicon.is(tokens[next], WordClass::kAnd)) return true;
+  // "Front right a chest": its place comes first.
+  const bool begins = at == 0 || tokens[at - 1].ends_sentence || tokens[at - 1].kind == Token::Kind::kPunctuation;
+  if (begins && (lexicon.is(tokens[next], WordClass::kIndefinite) || lexicon.is(tokens[next], WordClass::kNumber))) return true;
+  return lexicon.find_phrase(tokens, next).length > 0 && lexicon.find(tokens, next, WordClass::kObject).length == 0;
+}
+
+// "Upstage center a throne, a chest downstage left": as who looks at the stage says it, whose right the actor's left is.
+void read_stage_words(Document& document, std::vector<bool>& skip) {
+  std::vector<Splice> words;
+  std::vector<Token>& tokens = document.tokens;
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    if (skip[i] || !says_one_of(document, i, {"upstage", "downstage"})) continue;
+    tokens[i].text = tokens[i].text == "upstage" ? "back" : "front";
+    const std::size_t next = i + 1;
+    if (says_one_of(document, next, {"left", "right"})) {
+      tokens[next].text = tokens[next].text == "left" ? "right" : "left";
+      continue;
+    }
+    if (says_one_of(document, next, {"wall", "corner"})) continue;
+    if (says_one_of(document, next, {"center"})) skip[next] = true;
+    for (const std::string_view word : {"at", "the"}) words.push_back({i, word_token(word)});
+  }
+  splice(document, skip, std::move(words));
+}
+
+// "left wall", "right side" at `at`, right behind a thing and before a break: terse for "on the left wall".
+bool names_bare_wall(const Lexicon& lexicon, const Document& document, std::size_t at) {
+  const std::vector<Token>& tokens = document.tokens;
+  if (at == 0 || at + 1 >= tokens.size() || tokens[at - 1].ends_sentence || tokens[at].ends_sentence) return false;
+  const bool side = says_one_of(document, at, {"left", "right"}) && says_one_of(document, at + 1, {"side"});
+  const bool wall = says_one_of(document, at, {"left", "right", "back", "rear", "front", "far", "north", "south", "east", "west"}) &&
+                    says_one_of(document, at + 1, {"wall"});
+  if (!side && !wall) return false;
+  const std::size_t next = at + 2;
+  const bool ends = next >= tokens.size() || tokens[at + 1].ends_sentence || tokens[next].kind == Token::Kind::kPunctuation ||
+                    lexicon.is(tokens[next], WordClass::kAnd);
+  const Match thing = lexicon.find(tokens, at - 1);
+  const auto is_thing = [](const Meaning& m) {
+    return m.word_class == WordClass::kObject || m.word_class == WordClass::kDoor || m.word_class == WordClass::kWindow;
+  };
+  return ends && thing.length == 1 && std::ranges::any_of(thing.meanings, is_thing) && lexicon.find_phrase(tokens, at - 1).length == 0;
+}
+
+void complete_bare_walls(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
+  std::vector<Splice> words;
+  for (std::size_t i = 1; i + 1 < document.tokens.size(); ++i) {
+    if (skip[i] || !names_bare_wall(lexicon, document, i)) continue;
+    for (const std::string_view word : {"on", "the"}) words.push_back({i, word_token(word)});
+  }
+  splice(document, skip, std::move(words));
+}
+
+}  // namespace
+
+void complete_bare_corners(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
+  read_stage_words(document, skip);
+  complete_bare_walls(lexicon, document, skip);
+  std::vector<Splice> words;
+  for (std::size_t i = 0; i + 1 < document.tokens.size(); ++i) {
+    if (skip[i] || !names_corner(lexicon, document, i)) continue;
+    std::vector<Token>& tokens = document.tokens;
+    if (says_one_of(document, i, {"left", "right"})) std::swap(tokens[i].text, tokens[i + 1].text);
+    const bool first = i == 0;
+    const bool article = !first && says_one_of(document, i - 1, {"the"}),
+               place = !first && says_one_of(document, i - 1, {"in", "at", "on"});
+    const bool verb = !first && lexicon.is(tokens[i - 1], WordClass::kPlaceVerb);  // "to the far right", "faces front left"
+    if (verb || (article && (i < 2 || !says_one_of(document, i - 2, {"in", "at", "on"})))) continue;
+    if (!article && !place) words.push_back({i, word_token("in")});
+    if (!article) words.push_back({i, word_token("the")});
+    words.push_back({i + 2, word_token("corner")});
+  }
+  splice(document, skip, std::move(words));
+}
+
+}  // namespace layoutbox::offline

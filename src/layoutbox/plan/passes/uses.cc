@@ -1,0 +1,275 @@
+#include "layoutbox/plan/passes/uses.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "layoutbox/base/words.h"
+#include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/catalog/word_lists.h"
+#include "layoutbox/plan/phrases/noun_phrase_parts.h"
+#include "layoutbox/plan/phrases/token_reader.h"
+
+namespace layoutbox::offline {
+namespace {
+
+class UseReader : public TokenReader {
+ public:
+  using TokenReader::TokenReader;
+
+  void run() {
+    constexpr int kMost = 40;  // nobody wants more: looking for what the whole text names stays cheap
+    int written = 0;
+    for (std::size_t i = 0; i < tokens_.size() && written < kMost; ++i) {
+      if (skip_[i] || tokens_[i].kind != Token::Kind::kWord) continue;
+      const std::size_t place = place_at(i);
+      if (place == 0 || !is_wanted(i)) continue;
+      auto use = use_at(i + place);
+      if (!use) use = kept_anywhere(i, i + place);
+      const std::size_t thing = end_of_thing(i, i + place);
+      if (use && thing <= use->end) {
+        write(i, *use);
+        ++written;
+      } else if (thing > 0) {
+        leave_out(i, i + place + 1);
+        ++written;
+      }
+    }
+  }
+
+ private:
+  // "a place for my record player": the record player, where no row says what such a thing has its place on. Where its words end; 0: no
+  // such thing.
+  std::size_t end_of_thing(std::size_t first, std::size_t at) const {
+    for (std::size_t i = first; i < at; ++i) {
+      if (is(i, {"storage"})) return 0;
+    }
+    // not "a nightstand provides space for a phone"
+    const bool opens = first == 0 || tokens_[first - 1].kind != Token::Kind::kWord || tokens_[first - 1].ends_sentence ||
+                       is(first - 1, {"and", "with", "plus", "need", "want", "needs", "wants", "also"});
+    if (!opens || !is(at, {"for"}) || !is_article(at + 1)) return 0;
+    const Match thing = lexicon_.find(tokens_, at + 2, WordClass::kObject);
+    const Meaning* meaning = meaning_of(thing, WordClass::kObject);
+    const bool stands = meaning != nullptr && meaning->entry != nullptr && !meaning->entry->is(Trait::kTableSeat) &&
+                        (meaning->entry->mount == Mount::kFloor || meaning->entry->mount == Mount::kSurface);
+    return stands ? at + 2 + thing.length : 0;
+  }
+
+  struct Use {
+    WordList row;
+    std::size_t end = 0;  // of the words that say it
+    int people = 0;       // "for three friends to sit"; 0: nobody says for how many
+  };
+
+  // The tokens of "somewhere", "a place", "some space", "storage" that begin there; 0: none.
+  std::size_t place_at(std::size_t i) const {
+    const std::size_t article = is(i, {"a", "an", "some", "enough", "another", "plenty", "lots", "more"}) ? 1 : 0;
+    const bool kind = article > 0 && is(i + 1, {"kind", "sort"}) && is(i + 2, {"of"});  // "some kind of storage"
+    const std::size_t of = kind ? 2 : article > 0 && is(i + 1, {"of", "more"}) ? 1 : 0;
+    for (const std::string_view list : {"places", "stores"}) {
+      for (const WordList::Member member : words_.at(list)) {
+        const std::size_t length = matched(member.value.text(), i + article + of);
+        const bool next = length > 0 && is(i + article + of + length, {"to", "for", "where", "i", "we", "you", "she", "he", "they", "the"});
+        if (next) return article + of + length;
+      }
+    }
+    return 0;
+  }
+
+  // Something that is asked for, and no place at which something else is or what a thing is for.
+  bool is_wanted(std::size_t i) const {
+    if (i == 0 || tokens_[i - 1].ends_sentence) return true;
+    return !is(i - 1, {"in",   "at",   "by", "near", "from", "into", "of", "as",  "its",  "the",    "no",     "to",
+                       "this", "that", "my", "our",  "so",   "is",   "on", "any", "same", "living", "dining", "walk"});
+  }
+
+  // Behind "all the", "about a hundred", "her three".
+  std::size_t past_quantity(std::size_t at) const {
+    constexpr std::size_t kMost = 4;  // tokens
+    if (is(at, {"all", "about", "around", "roughly", "some", "nearly", "over"}) && is_article(at + 1)) ++at;
+    for (std::size_t taken = 0; taken < kMost && is_article(at); ++taken) ++at;
+    return at;
+  }
+
+  // The tokens from `at` on that say these words, determiners and plurals aside; 0: they say something else.
+  std::size_t matched(std::string_view words, std::size_t at) const {
+    const std::size_t first = at;
+    while (!words.empty()) {
+      const std::string_view word = words.substr(0, words.find(' '));
+      words.remove_prefix(std::min(words.size(), word.size() + 1));
+      while (at > first && is_article(at) && tokens_[at].text != word) ++at;
+      if (at == first) at = past_quantity(at);
+      if (at >= tokens_.size() || (tokens_[at].text != word && singular_of(tokens_[at].text) != singular_of(word))) return 0;
+      ++at;
+    }
+    return at - first;
+  }
+
+  // The use of which most words are said there.
+  std::optional<Use> longest(std::string_view list, std::size_t at, int people) const {
+    std::optional<Use> best;
+    for (const WordList::Member row : words_.at("uses")) {
+      if (!row.value.contains(list)) continue;
+      for (const WordList::Member words : row.value.at(list)) {
+        const std::size_t length = matched(words.value.text(), at);
+        if (length > 0 && (!best || at + length > best->end)) best = Use{row.value, at + length, people};
+      }
+    }
+    return best;
+  }
+
+  // What is said from `at` on, behind the place.
+  std::optional<Use> use_at(std::size_t at) const {
+    if (is(at, {"to"})) return to_do(at + 1, 0);
+    if (is(at, {"for"})) {
+      constexpr std::size_t kWho = 5;  // tokens
+      int people = 0;
+      for (std::size_t to = at + 1; to <= at + kWho && !ends(to); ++to) {
+        if (is(to, {"to"})) return to_do(to + 1, people);
+        if (const NumberRead number = read_number(lexicon_, tokens_, to); number.length > 0) people = static_cast<int>(number.value);
+        if (tokens_[to].text.ends_with('s')) people = std::max(people, 2);  // "for friends to sit"
+      }
+      return longest("for", at + 1, 0);
+    }
+    // "somewhere I can sit", "a place where the kids can draw"
+    std::size_t may = at;
+    while (may < at + 4 && !ends(may) && !is_may(may)) ++may;
+    return is_may(may) ? to_do(may + 1, 0) : std::nullopt;
+  }
+
+  // What is done there: "sit", or "drop my uniform", which has its place where it is kept.
+  std::optional<Use> to_do(std::size_t at, int people) const {
+    const auto done = longest("to", at, people);
+    if (done) return done;
+    const std::size_t length = keeping(at);
+    return length > 0 ? longest("for", at + length, people) : std::nullopt;
+  }
+
+  // The tokens of "put", "drop", "set down" there; 0: nothing is kept.
+  std::size_t keeping(std::size_t at) const {
+    for (const WordList::Member word : words_.at("keep")) {
+      if (const std::size_t length = matched(word.value.text(), at); length > 0) return length;
+    }
+    return 0;
+  }
+
+  // "storage for her diapers": of what no row says where it is kept, a cabinet.
+  std::optional<Use> kept_anywhere(std::size_t i, std::size_t at) const {
+    bool stores = false;
+    for (std::size_t word = i; word < at; ++word) stores |= is(word, {"storage"});
+    if (!stores || !is(at, {"for"})) return std::nullopt;
+    constexpr std::size_t kName = 5;  // tokens of what is kept
+    std::size_t end = at + 1;
+    while (end <= at + kName && !ends(end) && (end == at + 1 || !is(end, {"and", "with", "by", "near", "in", "on", "next", "under"})))
+      ++end;
+    return end > at + 1 ? std::optional(Use{words_.at("rest"), end, 0}) : std::nullopt;
+  }
+
+  bool is_may(std::size_t at) const {
+    if (at >= tokens_.size()) return false;
+    for (const WordList::Member word : words_.at("may")) {
+      if (tokens_[at].text == word.value.text()) return true;
+    }
+    return false;
+  }
+
+  // The kind of room that the text names first, or empty.
+  std::string_view room() const {
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+      for (const Meaning& meaning : lexicon_.find(tokens_, i, WordClass::kRoom).meanings) {
+        if (meaning.word_class == WordClass::kRoom && meaning.room != nullptr) return meaning.room->id;
+      }
+    }
+    return {};
+  }
+
+  // Whether what does it already (`unless`) is named anywhere outside the use itself.
+  bool is_served(const Use& use, std::size_t first) const {
+    if (!use.row.contains("unless")) return false;
+    for (const WordList::Member words : use.row.at("unless")) {
+      for (std::size_t i = 0; i < tokens_.size(); ++i) {
+        const bool outside = i < first || i >= use.end;
+        if (outside && !skip_[i] && tokens_[i].kind == Token::Kind::kWord && matched(words.value.text(), i) > 0) return true;
+      }
+    }
+    return false;
+  }
+
+  std::string_view thing_of(const Use& use) const {
+    if (use.row.contains("rooms")) {
+      const std::string_view here = room();
+      for (const WordList::Member kind : use.row.at("rooms")) {
+        if (kind.key == here) return kind.value.text();
+      }
+    }
+    return use.row.at("is").text();
+  }
+
+  // A wish of which no thing is named says what kind of room it is (`wishes`).
+  bool names_others(std::size_t i, std::size_t end) const {
+    for (std::size_t at = 0; at < tokens_.size(); ++at) {
+      if (at >= i && at < end) continue;
+      if (!skip_[at] && lexicon_.find(tokens_, at, WordClass::kObject).length > 0) return true;
+    }
+    return false;
+  }
+
+  void write(std::size_t i, const Use& use) {
+    if (!names_others(i, use.end)) return;
+    std::size_t at = i;
+    const bool served = is_served(use, i);
+    // "for her toys and books": one thing for each, where the words suffice.
+    if (is(use.end, {"and"}) && (!is(i + 1, {"to"}) || keeping(i + 2) > 0)) {
+      const auto more = longest("for", use.end + 1, 0);
+      if (more && !is_served(*more, i)) {
+        if (!served) at = put_thing(at, use, more->end);
+        if (at + 1 < more->end && !served) put(at++, "and");
+        at = put_thing(at, *more, more->end);
+        return leave_out(at, more->end);
+      }
+    }
+    if (served) return;
+    at = put_thing(at, use, use.end);
+    const std::size_t end = end_of_doing(use.end);
+    if (at < end) leave_out(at, end);
+  }
+
+  // "two armchairs" from `at` on and before `end`: behind it.
+  std::size_t put_thing(std::size_t at, const Use& use, std::size_t end) {
+    std::string_view thing = thing_of(use);
+    const auto words = static_cast<std::size_t>(std::ranges::count(thing, ' ') + 1);
+    if (at + words > end) return at;
+    if (at + words < end) put(at++, use.people > 1 && use.row.contains("each") ? "two" : "a");
+    while (!thing.empty() && at < end) {
+      const std::string_view word = thing.substr(0, thing.find(' '));
+      thing.remove_prefix(std::min(thing.size(), word.size() + 1));
+      put(at++, word);
+    }
+    return at;
+  }
+
+  // "somewhere to sit while changing shoes": behind what goes on there meanwhile.
+  std::size_t end_of_doing(std::size_t end) const {
+    const bool more = is(end, {"and"}) && !is_article(end + 1) && place_at(end + 1) == 0 &&
+                      lexicon_.find(tokens_, end + 1, WordClass::kObject).length == 0;
+    if (!more && !is(end, {"while", "when", "whenever", "after", "before", "during", "comfortably", "properly", "quietly", "too"}))
+      return end;
+    std::size_t at = end + 1;
+    while (at < tokens_.size() && !ends(at) && !is(at, {"with", "by", "near", "under", "and", "in"})) ++at;
+    return at;
+  }
+
+  void put(std::size_t at, std::string_view word) {
+    tokens_[at].text = word;
+    tokens_[at].kind = Token::Kind::kWord;
+  }
+
+  const WordList words_ = word_list("words_uses");
+};
+
+}  // namespace
+
+void read_uses(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) { UseReader(lexicon, document.tokens, skip).run(); }
+
+}  // namespace layoutbox::offline

@@ -1,0 +1,100 @@
+// What stands between, and what the things on either side of it are.
+#include <algorithm>
+
+#include "layoutbox/plan/phrases/knowledge.h"
+#include "layoutbox/plan/phrases/reader_words.h"
+#include "layoutbox/plan/relations/relation_builder_parts.h"
+
+namespace layoutbox::offline {
+
+using R = RelationType;
+
+using Direction = PhraseSense::Direction;
+
+// "between the sofa and the two armchairs": between the sofa and each of them.
+std::vector<std::vector<std::string>> RelationBuilder::between_pairs(const Link& link, const std::vector<std::string>& all) const {
+  constexpr std::size_t kMost = 3;
+  if (link.references.size() == 2) {
+    std::vector<std::string> one = ids(mention(link.references.front()).items), many = ids(mention(link.references.back()).items);
+    if (one.size() > many.size()) std::swap(one, many);
+    if (one.size() == 1 && many.size() > 1 && many.size() <= kMost) {
+      std::vector<std::vector<std::string>> pairs;
+      for (const std::string& member : many) pairs.push_back({one.front(), member});
+      return pairs;
+    }
+  }
+  return {all};
+}
+
+// "A bed between two nightstands": these are what stands at its sides, and their middles need not be on a line with its own.
+bool RelationBuilder::are_flankers(const std::vector<std::string>& pair, int middle) const {
+  if (pair.size() != 2 || mount_of(noun_of_item(middle)) != Mount::kFloor) return false;
+  return std::ranges::all_of(pair, [&](const std::string& one) {
+    const SceneObject* object = object_of(one);
+    return object != nullptr && flanks(noun_of_object(*object), noun_of_item(middle));
+  });
+}
+
+// "Two chairs face each other across a table": they sit at it.
+void RelationBuilder::add_seats_near(const Link& link, const std::vector<std::string>& seats, int table) {
+  if (!is_table(catalog_, noun_of_item(table))) return;
+  Link near = link;
+  near.soft = near.concluded = true;
+  for (const std::string& seat : seats) {
+    const SceneObject* object = object_of(seat);
+    if (object != nullptr && is_seat(catalog_, noun_of_object(*object))) add(near, R::kNextTo, {seat}, {id(table)});
+  }
+}
+
+// "a stove to the right of the sink with a counter between": between these two, not between several that the text has besides.
+std::vector<int> RelationBuilder::parted_by(const Link& link) const {
+  const std::string said = words_between(document_, link.first, link.last);
+  if ((said != "between" && said != "in between") || link.references.size() != 1) return link.references;
+  auto at = std::ranges::find_if(document_.links, [&](const Link& l) { return &l == &link; });
+  if (at == document_.links.end()) return link.references;
+  while (at != document_.links.begin() && (&*at == &link || at->kind == Link::Kind::kHave)) --at;
+  const Link& before = *at;
+  const auto is_thing = [&](const std::vector<int>& said_of) { return said_of.size() == 1 && mention(said_of[0]).items.size() == 1; };
+  const bool pair = before.kind == Link::Kind::kRelation && is_thing(before.targets) && is_thing(before.references);
+  if (!pair || before.targets[0] == link.targets[0] || before.references[0] == link.targets[0]) return link.references;
+  const auto& tokens = document_.tokens;
+  for (std::size_t i = before.last; i < link.first; ++i) {
+    if (tokens[i].ends_sentence) return link.references;
+  }
+  const auto is_of = [&](int m) {
+    const std::vector<int>& items = mention(link.references[0]).items;
+    return items.size() > 1 && std::ranges::find(items, mention(m).items.front()) != items.end();
+  };
+  if (is_of(before.targets[0]) || is_of(before.references[0])) return link.references;
+  return {before.targets[0], before.references[0]};
+}
+
+void RelationBuilder::add_between(const Link& link, const std::vector<int>& targets) {
+  std::vector<std::string> references;
+  for (const int m : parted_by(link)) {
+    if (!mention(m).items.empty()) {
+      const auto step = static_cast<std::size_t>(std::max(mention(m).noun.apart, 1));
+      for (std::size_t i = 0; i < mention(m).items.size(); i += step) references.push_back(id(mention(m).items[i]));
+    } else if (is_opening(mention(m).noun)) {
+      for (const std::string& opening : opening_ids(mention(m).noun)) references.push_back(opening);
+    } else if (mention(m).noun.kind == NounKind::kWall) {
+      references.push_back(mention(m).noun.wall_word.empty() ? "back" : mention(m).noun.wall_word);
+    }
+  }
+  if (references.size() < 2) return;
+  const std::string host = carrier_of(references);
+  for (const int target : targets) {
+    // "two candlesticks on the mantel with a clock between them": there as well.
+    const SceneObject* carrier = host.empty() ? nullptr : object_of(host);
+    if (carrier != nullptr && may_carry(catalog_, noun_of_object(*carrier), noun_of_item(target))) add(link, R::kOn, {id(target)}, {host});
+    if (link.first < link.last && document_.tokens[link.first].text == "across") add_seats_near(link, references, target);
+    for (const auto& pair : between_pairs(link, references)) {
+      if (are_flankers(pair, target))
+        add(link, R::kEachSideOf, pair, {id(target)});
+      else
+        add(link, R::kBetween, {id(target)}, pair);
+    }
+  }
+}
+
+}  // namespace layoutbox::offline

@@ -1,0 +1,157 @@
+// What a thing has, before places are given out, and what carries or lights another: what is said of its chairs is said of a table.
+#include <algorithm>
+
+#include "layoutbox/catalog/kin.h"
+#include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/plan/phrases/knowledge.h"
+#include "layoutbox/plan/phrases/reader_words.h"
+#include "layoutbox/plan/relations/relation_builder_parts.h"
+#include "layoutbox/scene/relation_traits.h"
+
+namespace layoutbox::offline {
+
+using R = RelationType;
+
+// "a table with four chairs in the middle": what is said there of the place of the chairs is said of the table that has them.
+void RelationBuilder::place_host_of(const Link& have) {
+  if (have.kind != Link::Kind::kHave || have.after_comma || have.references.size() != 1 || have.targets.empty()) return;
+  const Mention &host = mention(have.references.front()), &first = mention(have.targets.front());
+  if (host.items.size() != 1 || first.items.empty()) return;
+  const NounPhrase &noun = noun_of_item(host.items.front()), &other = noun_of_item(first.items.front());
+  const bool seats = one_sits_at(catalog_, noun) && is_seat(catalog_, other);
+  // "a table with four chairs in the middle, a mug and a bowl on it": the place follows the chairs.
+  const int last = seats ? have.targets.front() : have.targets.back();
+  const bool list = !seats && have.targets.size() > 1;
+  const Mention& thing = mention(last);
+  if (thing.items.empty() || !thing.introduces) return;
+  // "a cabinet with a TV opposite the sofa": the cabinet, with the TV on it.
+  const bool carried = mount_of(noun) == Mount::kFloor && mount_of(other) == Mount::kSurface && may_carry(catalog_, noun, other);
+  // "a dressing table with a mirror under the window"
+  const bool hung = !list && mount_of(other) == Mount::kWall && mount_of(noun) == Mount::kFloor;
+  // "a piano with its stool by the window"
+  const bool own = !list && thing.noun.determiner == Determiner::kPossessive && mount_of(noun) == Mount::kFloor;
+  if (list ? !carried : !seats && !flanks(other, noun) && !carried && !hung && !own) return;
+  const auto stands = [&](int r) {
+    const Mention& by = mention(r);
+    if (own && by.items != host.items) return true;
+    if (hung && by.noun.kind != NounKind::kWindow) return false;
+    return by.items.empty() || (carried && !list && by.items != host.items && mount_of(noun_of_item(by.items.front())) == Mount::kFloor);
+  };
+  const auto is_place = [&](const Link& link, int target) {
+    const bool rests = carried && (says(link.senses, &RelationTraits::rests) || says(link.senses, R::kCenterOfRoom));
+    if (hung && !says(link.senses, R::kUnderWindow)) return false;
+    return link.kind == Link::Kind::kRelation && link.targets == std::vector<int>{target} && !rests &&
+           std::all_of(link.references.begin(), link.references.end(), stands);
+  };
+  const bool placed = std::any_of(document_.links.begin(), document_.links.end(),
+                                  [&](const Link& link) { return is_place(link, have.references.front()); });
+  for (Link& link : document_.links) {
+    const bool follows = link.first >= thing.noun.last && link.first <= thing.noun.last + 1;
+    if (!placed && follows && is_place(link, last)) link.targets = have.references;
+  }
+}
+
+void RelationBuilder::place_hosts() {
+  for (const Link& have : document_.links) place_host_of(have);
+}
+
+// "a counter with the till, the grinder and a cake display along the back wall": all three are what the counter has.
+void RelationBuilder::complete_counters() {
+  for (Link& have : document_.links) {
+    if (have.kind != Link::Kind::kHave || have.references.size() != 1 || have.targets.size() < 2) continue;
+    const NounPhrase& host = mention(have.references.front()).noun;
+    if (host.entry == nullptr || !host.entry->is(Trait::kCounter)) continue;
+    const std::size_t end = mention(have.targets.back()).noun.last;
+    const auto follows = [&](const Mention& m) {
+      return m.introduces && !m.items.empty() && m.noun.first == end + 1 && says_one_of(document_, end, {"and"});
+    };
+    const auto next = std::ranges::find_if(document_.mentions, follows);
+    if (next != document_.mentions.end()) have.targets.push_back(static_cast<int>(next - document_.mentions.begin()));
+  }
+}
+
+// "an island with a sink", "a basin in the counter": what stands by itself elsewhere is let into a top.
+void RelationBuilder::let_into_tops() {
+  for (const Link& link : document_.links) {
+    const bool place = link.kind == Link::Kind::kRelation && says(link.senses, &RelationTraits::rests);
+    if ((!place && link.kind != Link::Kind::kHave) || link.references.empty() || mention(link.references.front()).items.empty()) continue;
+    const NounPhrase& host = noun_of_item(mention(link.references.front()).items.front());
+    if (host.entry == nullptr || mount_of(host) != Mount::kFloor) continue;
+    for (const int m : link.targets) {
+      // "cabinets on the back wall with a sink under the window": one of the units of that run.
+      const auto says_where = [&](const Link& other) {
+        return other.kind == Link::Kind::kRelation && std::ranges::find(other.targets, m) != other.targets.end();
+      };
+      const bool own_unit = !place && host.entry->is(Trait::kKitchenRun) && host.entry->back_to_wall;
+      if (!own_unit || std::ranges::none_of(document_.links, says_where)) let_in(m, *host.entry);
+    }
+  }
+}
+
+void RelationBuilder::let_in(int m, const CatalogEntry& host) {
+  Mention& thing = document_.mentions[static_cast<std::size_t>(m)];
+  if (thing.noun.entry == nullptr) return;
+  const CatalogEntry* form = kind_at(catalog_, thing.noun.entry->id, KinPlace::kSetIn);
+  const auto fits = [&](const std::string& id) { return catalog_.is_a(host.id, id); };
+  if (form != nullptr && std::ranges::none_of(form->stands_on, fits)) form = nullptr;
+  // "a shelf with bins", "a desk with two screens"; "a sea chart on the table", which is none of the wall
+  const bool off_wall = thing.noun.entry->mount == Mount::kWall && !thing.noun.name.starts_with("wall ");
+  if (thing.introduces && (off_wall || thing.noun.name == thing.noun.head)) {
+    const CatalogEntry* kept = catalog_.find(kept_in_entry(thing.noun.head, host));
+    if (kept != nullptr) form = kept;
+  }
+  if (form == nullptr) return;
+  const auto become = [&](NounPhrase& noun) { noun.entry = form, noun.category = form->id; };
+  become(thing.noun);
+  for (const int item : thing.items) {
+    become(document_.items[static_cast<std::size_t>(item)].noun);
+    scene_.objects[static_cast<std::size_t>(item)].category = form->id;
+  }
+}
+
+// "over", "above"; "lights up" and "shines on" do not say that it is there.
+bool RelationBuilder::says_over(const Link& link) const {
+  const auto first = document_.tokens.begin() + static_cast<std::ptrdiff_t>(link.first),
+             last = document_.tokens.begin() + static_cast<std::ptrdiff_t>(link.last);
+  return std::any_of(first, last, [](const Token& token) {
+    return token.text == "above" || token.text.find("over") != std::string::npos;  // "overhead"
+  });
+}
+
+// "a floor lamp lights up the armchair", "a desk lamp lights the desk": what stands is beside it or on it.
+void RelationBuilder::settle_lighting(PhraseSense& sense, const NounPhrase& lamp, const NounPhrase& lit) const {
+  if (!is_lamp(catalog_, lamp) || !lamp.exact) return;
+  const bool hung = kind_at(catalog_, lamp.entry->id, KinPlace::kOnCeiling) != nullptr;  // a lamp of any kind
+  if (mount_of(lamp) == Mount::kFloor) {
+    sense.type = mount_of(lit) == Mount::kFloor ? R::kNextTo : R::kNear;
+  } else if (mount_of(lamp) == Mount::kSurface && !hung) {
+    sense.type = may_carry(catalog_, lit, lamp) ? R::kOn : R::kNextTo;
+  }
+}
+
+// "nearby", after a small thing that stands on something: by that.
+bool RelationBuilder::add_by_carrier(const Link& link, const PhraseSense& sense, const Mention& target, int reference) {
+  const bool by = sense.type == R::kNear || sense.type == R::kNextTo || sense.type == R::kOpposite;
+  if (!link.implied || !by || mount_of(target.noun) != Mount::kFloor) return false;
+  const std::string host = carrier_said(reference);
+  if (host.empty()) return false;
+  for (const int item : target.items) add(link, sense.type, {id(item)}, {host}, sense);
+  return true;
+}
+
+// What a small thing was said to stand on, or is had by; empty: nothing.
+std::string RelationBuilder::carrier_said(int item) const {
+  if (mount_of(noun_of_item(item)) != Mount::kSurface) return {};
+  for (const Relation& r : scene_.relations) {
+    if (traits_of(r.type).rests && !r.targets.empty() && r.targets.front() == id(item) && !r.references.empty())
+      return r.references.front();
+  }
+  for (const Link& link : document_.links) {
+    if (link.kind != Link::Kind::kHave || !contains(items_of(link.targets), item)) continue;
+    const std::vector<int> hosts = items_of(link.references);
+    if (hosts.size() == 1 && mount_of(noun_of_item(hosts.front())) == Mount::kFloor) return id(hosts.front());
+  }
+  return {};
+}
+
+}  // namespace layoutbox::offline

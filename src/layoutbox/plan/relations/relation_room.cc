@@ -1,0 +1,134 @@
+// Parts of the room as references: its walls, the freer of two, and its openings.
+#include <algorithm>
+#include <utility>
+
+#include "layoutbox/plan/phrases/knowledge.h"
+#include "layoutbox/plan/phrases/reader_words.h"
+#include "layoutbox/plan/relations/relation_builder_parts.h"
+#include "layoutbox/plan/room/room_reader.h"
+#include "layoutbox/plan/words/word_sets.h"
+
+namespace layoutbox::offline {
+
+using R = RelationType;
+
+// Of two walls across from each other the one that fewer things were put at.
+std::string RelationBuilder::freer_of(const std::string& one, const std::string& other) const {
+  const auto said_of = [&](const std::string& wall) {
+    return std::count_if(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& r) {
+      return std::find(r.references.begin(), r.references.end(), wall) != r.references.end();
+    });
+  };
+  return said_of(one) < said_of(other) ? one : other;
+}
+
+std::vector<std::string> RelationBuilder::room_reference(const NounPhrase& noun, R type) const {
+  const auto words = [&] {
+    std::vector<std::string> all;
+    std::string rest = noun.wall_word;
+    while (!rest.empty()) {
+      const std::size_t space = rest.find(' ');
+      all.push_back(rest.substr(0, space));
+      rest = space == std::string::npos ? "" : rest.substr(space + 1);
+    }
+    return all;
+  };
+  switch (noun.kind) {
+    case NounKind::kWall: {
+      auto all = words();
+      if (all.size() > 1) all.resize(1);
+      if (all.empty() && noun.name.ends_with("side wall")) all = {freer_of("left", "right")};
+      if (const auto [one, other] = walls_by_length(noun, scene_.room); all.empty() && !one.empty() && noun.wall_relation != "opposite")
+        all = {wall_of_.try_emplace(noun.first, freer_of(other, one)).first->second};  // all that is said to be at it
+      if (all.empty() && noun.wall_relation.empty() && relation_row(type).arity != RelationArity::kOptional) all = {"back"};
+      return all;
+    }
+    case NounKind::kCorner: {
+      auto all = words();
+      // "the far corner" is the viewer's word for a back corner, which one is free.
+      return all;
+    }
+    case NounKind::kDoor:
+    case NounKind::kWindow:
+      if (type != R::kNotBlocking && relation_row(type).arity == RelationArity::kOptional) return {};
+      return {opening_ids(noun).front()};
+    case NounKind::kFloor: return {"floor"};
+    default:
+      return relation_row(type).arity == RelationArity::kNone || relation_row(type).arity == RelationArity::kOptional
+                 ? std::vector<std::string>{}
+                 : std::vector<std::string>{"room"};
+  }
+}
+
+std::vector<std::string> RelationBuilder::opening_ids(const NounPhrase& noun) const {
+  const std::string_view type = noun.kind == NounKind::kDoor ? "door" : "window";
+  std::vector<std::string> ids;
+  const std::size_t wanted = noun.count > 0 ? static_cast<std::size_t>(noun.count) : noun.plural ? 2 : 1;
+  const std::vector<std::string> look =
+      opening_said(noun.kind == NounKind::kDoor ? OpeningType::kDoor : OpeningType::kWindow, noun).attributes;
+  // "by the balcony door" is by that one; "by the door" by the entrance.
+  const auto is_meant = [&](const Opening& o) { return look.empty() ? !leads_elsewhere(o, scene_.room) : o.attributes == look; };
+  // "the boss door": the one that was brought in by that name.
+  const std::string name = bare_name(noun);
+  if (wanted == 1 && name.find(' ') != std::string::npos) {
+    for (const Opening& opening : scene_.room.openings) {
+      if (name_of(opening.type) == type && opening.called == name) return {opening.id};
+    }
+  }
+  for (const bool meant : {true, false}) {
+    if (!ids.empty()) break;
+    for (const Opening& opening : scene_.room.openings) {
+      if (name_of(opening.type) == type && ids.size() < wanted && (!meant || is_meant(opening))) ids.push_back(opening.id);
+    }
+  }
+  if (ids.empty()) ids.push_back(std::string(type));
+  return ids;
+}
+
+// "flush left on the back wall", "against the back and the left wall": its back at the one, a side at the other.
+void RelationBuilder::stand_in_corners() {
+  const auto is_at = [](const Relation& r, std::string_view one, std::string_view other) {
+    return r.type == R::kAgainstWall && r.origin == Origin::kAsked && r.targets.size() == 1 && r.references.size() == 1 &&
+           (r.references.front() == one || r.references.front() == other);
+  };
+  for (Relation& side : scene_.relations) {
+    if (!is_at(side, "left", "right")) continue;
+    const bool backed =
+        std::ranges::any_of(relations_of(side.targets.front()), [&](std::size_t r) { return is_at(scene_.relations[r], "back", "front"); });
+    if (backed) side.type = R::kSideAgainstWall;
+  }
+}
+
+namespace {
+
+// The parts of an L, the greater and the lesser: as far from the corner that is cut out as the room is long, and the rest of it. Where the
+// room has no outline yet, that corner is the back right one, as room_outline has it.
+std::pair<RoomRegion, RoomRegion> legs_of(const std::vector<Point>& polygon) {
+  Mm width = 0, depth = 0;
+  for (const Point& point : polygon) width = std::max(width, point.x), depth = std::max(depth, point.y);
+  bool right = true, back = true;
+  for (const Point& corner : {Point{0, 0}, Point{width, 0}, Point{width, depth}, Point{0, depth}}) {
+    if (std::ranges::find(polygon, corner) == polygon.end())
+      right = corner.x > 0 || polygon.empty(), back = corner.y > 0 || polygon.empty();
+  }
+  if (depth > width) return right ? std::pair{RoomRegion::kLeft, RoomRegion::kRight} : std::pair{RoomRegion::kRight, RoomRegion::kLeft};
+  return back ? std::pair{RoomRegion::kFront, RoomRegion::kBack} : std::pair{RoomRegion::kBack, RoomRegion::kFront};
+}
+
+}  // namespace
+
+// "in the long part"
+void RelationBuilder::add_in_leg(const Link& link, const Mention& target, const NounPhrase& place) {
+  constexpr std::size_t kCornersOfL = 6;
+  const std::vector<Point>& polygon = scene_.room.polygon;
+  if (polygon.empty() ? scene_.room.shape != "L" : polygon.size() != kCornersOfL) return note_no_place(link, target);
+  const auto [greater, lesser] = legs_of(polygon);
+  const bool small = std::ranges::any_of(place.attributes, [](const std::string& word) { return one_of(word, WordSet::kShortLegs); });
+  PhraseSense sense{R::kInRegion, Direction::kDirect, {}, {}, {}};
+  sense.region = small ? lesser : greater;
+  for (const int item : target.items) {
+    if (mount_of(noun_of_item(item)) == Mount::kFloor) add(link, R::kInRegion, {id(item)}, {}, sense);
+  }
+}
+
+}  // namespace layoutbox::offline

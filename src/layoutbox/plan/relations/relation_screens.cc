@@ -1,0 +1,62 @@
+// Screens and those who watch them: who has a screen looks at it, where he sits.
+#include <algorithm>
+
+#include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/plan/relations/relation_builder_parts.h"
+
+namespace layoutbox::offline {
+
+using R = RelationType;
+
+// "TV on the left wall with a sofa and two armchairs": who watches it looks at that wall and has no back to it.
+void RelationBuilder::seat_viewers() {
+  for (Relation& at : scene_.relations) {
+    if (at.type != R::kAgainstWall || at.targets.size() != 1 || at.references.size() != 1) continue;
+    if (!at.asked() || words_.have(at, WordSet::kWalls)) continue;  // said of the seat itself, or that such things stand at walls
+    const SceneObject* seat = object_of(at.targets[0]);
+    const CatalogEntry* entry = seat == nullptr ? nullptr : noun_of_object(*seat).entry;
+    if (entry == nullptr || !(entry->is(Trait::kEasySeat) || entry->is(Trait::kCenterPiece))) continue;
+    const auto shows_there = [&](const Relation& r) {
+      const SceneObject* screen = r.type == R::kOnWall && r.references == at.references ? object_of(r.targets[0]) : nullptr;
+      const CatalogEntry* shown = screen == nullptr ? nullptr : noun_of_object(*screen).entry;
+      return shown != nullptr && shown->is(Trait::kScreen);
+    };
+    const auto shown = std::ranges::find_if(scene_.relations, shows_there);
+    if (shown == scene_.relations.end()) continue;
+    at.type = entry->is(Trait::kCenterPiece) ? R::kOpposite : R::kFacing;
+    at.references = {shown->targets[0]};
+    at.hard = entry->is(Trait::kCenterPiece);  // the others may sit round the table
+  }
+}
+
+// Is a screen told to be in that part of the room?
+bool RelationBuilder::shows_in(RoomRegion region) const {
+  return std::ranges::any_of(scene_.relations, [&](const Relation& r) {
+    const SceneObject* screen = r.type == R::kInRegion && r.targets.size() == 1 ? object_of(r.targets[0]) : nullptr;
+    const CatalogEntry* entry = screen == nullptr ? nullptr : catalog_.find(screen->category);
+    return entry != nullptr && entry->is(Trait::kScreen) && r.parameters.region == region;
+  });
+}
+
+// "a corner sofa with a TV on the right": a screen of which nothing else is said is in the part of the room where the sofa is.
+void RelationBuilder::show_where_seated() {
+  const std::size_t said = scene_.relations.size();
+  for (std::size_t r = 0; r < said; ++r) {
+    const Relation region = scene_.relations[r];
+    const SceneObject* seat = region.type == R::kInRegion && region.targets.size() == 1 ? object_of(region.targets[0]) : nullptr;
+    const CatalogEntry* entry = seat == nullptr ? nullptr : catalog_.find(seat->category);
+    if (entry == nullptr || !entry->is(Trait::kCenterPiece) || entry->is(Trait::kBed) || !region.asked()) continue;
+    const auto is_screen = [&](const SceneObject& object) {
+      const CatalogEntry* shown = catalog_.find(object.category);
+      return shown != nullptr && shown->is(Trait::kScreen) && shown->is(Trait::kElseOnWall);
+    };
+    const auto screen = std::ranges::find_if(scene_.objects, is_screen);
+    if (std::ranges::count_if(scene_.objects, is_screen) != 1 || !relations_of(screen->id).empty()) return;
+    add_habit(R::kInRegion, {screen->id}, {}, kTogether, "a screen is where it is watched");
+    scene_.relations.back().parameters.region = region.parameters.region;
+    scene_.relations.back().origin = Origin::kConcluded;
+    return;
+  }
+}
+
+}  // namespace layoutbox::offline

@@ -1,0 +1,395 @@
+// One relation for each single thing: what a phrase means for these two, and what it says besides.
+#include <algorithm>
+
+#include "layoutbox/catalog/kin.h"
+#include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/plan/phrases/knowledge.h"
+#include "layoutbox/plan/relations/relation_builder_parts.h"
+#include "layoutbox/plan/room/room_reader.h"
+#include "layoutbox/plan/words/word_sets.h"
+#include "layoutbox/scene/relation_traits.h"
+
+namespace layoutbox::offline {
+
+using R = RelationType;
+using Direction = PhraseSense::Direction;
+
+// The wall that the thing was put against; empty: none.
+std::string RelationBuilder::wall_behind(int item) const {
+  for (const std::size_t r : relations_of(id(item))) {
+    const Relation& relation = scene_.relations[r];
+    if (relation.type == R::kAgainstWall && !relation.references.empty()) return relation.references.front();
+  }
+  return {};
+}
+
+// The walls or the openings that several things share out: "on the side walls", "curtains at both windows"; empty: they are at one.
+std::vector<std::string> RelationBuilder::shared_places(const PhraseSense& sense, const Mention& target, const NounPhrase& place) const {
+  if (!is_opening(place)) return shared_walls(place, sense.type == R::kOnWall && !is_tall(target.noun));
+  const bool several = place.determiner == Determiner::kEach || place.determiner == Determiner::kBoth || place.is_plural();
+  if (!several) return {};
+  constexpr int kAll = 100;
+  NounPhrase every = place;
+  if (place.count < 2) every.count = kAll;
+  const std::vector<std::string> all = opening_ids(every);
+  return all.size() > 1 ? all : std::vector<std::string>{};
+}
+
+bool RelationBuilder::is_curtain(const NounPhrase& noun) { return noun.entry != nullptr && noun.entry->is(Trait::kCurtain); }
+
+// By a part of the room.
+void RelationBuilder::add_in_room(const Link& link, const PhraseSense& sense, const Mention& target, const NounPhrase& place) {
+  if (place.niche) return add_in_niche(link, target);
+  if (place.kind == NounKind::kFloor) {
+    for (const int item : target.items) {
+      const Mount mount = mount_of(noun_of_item(item));
+      const bool hung = mount == Mount::kHung || is_curtain(noun_of_item(item));  // "drapes that pool on the floor"
+      if (mount != Mount::kFloor && !hung) add(link, R::kOn, {id(item)}, {"floor"});
+    }
+    return;
+  }
+  // "at the very center of the compartment": whatever the room is called
+  if (traits_of(sense.type).rests && sense.part.has(PartWord::kCenter)) {
+    for (const int item : target.items) add(link, R::kCenterOfRoom, {id(item)}, {});
+    return;
+  }
+  if (place.kind == NounKind::kRoom && (traits_of(sense.type).rests || sense.type == R::kInside)) return;
+  if (sense.type == R::kCorner) return add_corners(link, target, place);
+  // "1 m away from the walls": from each of them
+  if (sense.type == R::kDistance && place.kind == NounKind::kWall && place.is_plural() && place.wall_word.empty() && !link.at_most) {
+    for (const int item : target.items) add(link, R::kAwayFromWall, {id(item)}, {});
+    return;
+  }
+  const std::vector<std::string> shared = target.items.size() > 1 ? shared_places(sense, target, place) : std::vector<std::string>{};
+  for (std::size_t t = 0; t < target.items.size() && !shared.empty(); ++t)
+    add(link, sense.type, {id(target.items[t])}, {shared[t % shared.size()]}, sense);
+  if (!shared.empty()) return;
+  if (sense.type == R::kOpposite) add_wall_opposite(link, target);
+  for (const int item : target.items) {
+    const std::string own = sense.type == R::kFacing && place.kind == NounKind::kWall && place.plural ? wall_behind(item) : std::string{};
+    add(link, sense.type, {id(item)}, own.empty() ? room_reference(place, sense.type) : std::vector<std::string>{own}, sense);
+    if (sense.type == R::kOpposite) add_across(link, item, room_reference(place, sense.type));
+  }
+}
+
+// "on the left side of the desk" is on the desk for what stands on desks, beside it for the rest.
+bool RelationBuilder::is_side_on(const Link& link, const PhraseSense& sense, const NounPhrase& thing, const NounPhrase& host) const {
+  if (sense.type != R::kLeftOf && sense.type != R::kRightOf) return false;
+  const std::string words = words_between(document_, link.first, link.last);
+  const bool bare =
+      one_of(document_.tokens[std::min(link.first + 1, document_.tokens.size() - 1)].text, {"left", "right"});  // "on left of"
+  const bool side_of = words.find("side") != std::string::npos || (document_.tokens[link.first].text == "on" && !bare);
+  const bool lies = is_seat(catalog_, host) || one_of(host.head, WordSet::kLainOn);
+  // "a scale on the left side of the counter": such a thing has a kind that stands there
+  const bool kept = host.entry != nullptr && thing.name == thing.head && !kept_in_entry(thing.head, *host.entry).empty();
+  return side_of && !lies && may_carry(catalog_, host, thing) && (mount_of(thing) == Mount::kSurface || thing.entry == nullptr || kept) &&
+         mount_of(host) != Mount::kSurface;
+}
+
+// "on top of every locker", "atop".
+bool RelationBuilder::says_top(const Link& link) const {
+  for (std::size_t i = link.first; i < link.last; ++i) {
+    const std::string& word = document_.tokens[i].text;
+    if (word == "atop" || (word == "top" && i > 0 && document_.tokens[i - 1].text == "on")) return true;
+  }
+  return false;
+}
+
+// What the phrase comes to mean by what the two are and where the reference is.
+void RelationBuilder::settle_sense(const Link& link, PhraseSense& sense, const Mention& target, const std::vector<int>& references) const {
+  const NounPhrase& host = noun_of_item(references.front());
+  const Mount mount = mount_of(target.noun);
+  // What lies on something itself has things beside it.
+  const bool lies = host.entry == nullptr && !said_support(id(references.front())).empty();
+  // "flanked by two lanterns, one on its left": beside it
+  const bool flanks_it = std::ranges::any_of(relations_of(id(target.items.front())), [&](std::size_t r) {
+    return scene_.relations[r].type == R::kEachSideOf && scene_.relations[r].references.front() == id(references.front());
+  });
+  if (!lies && !flanks_it && is_side_on(link, sense, target.noun, host)) {
+    sense.part = sense.type == R::kLeftOf ? PartWord::kLeft : PartWord::kRight;
+    sense.type = R::kOn;
+  }
+  if (sense.type == R::kAbove && !says_over(link)) settle_lighting(sense, target.noun, host);
+  if (sense.type == R::kAtHeadOf && mount == Mount::kWall) sense.type = R::kAbove;  // "a picture above the head of the bed"
+  if (sense.type == R::kOn && sense.part.empty() && says_top(link) && host.entry != nullptr && host.entry->top_carries &&
+      std::ranges::any_of(host.entry->spaces, &SpaceFormula::carries))
+    sense.part = PartWord::kTop;  // of a locker, not in it
+  if (sense.type == R::kOpposite && mount == Mount::kSurface && document_.tokens[link.first].text == "across" &&
+      link.last - link.first <= 3 && mount_of(host) == Mount::kFloor && !link.implied)
+    sense.type = R::kOn;  // "a tray across the tub"
+}
+
+// "a desk facing a chair": the chair is drawn up to it.
+bool RelationBuilder::add_drawn_up(const Link& link, const PhraseSense& sense, const Mention& target, const std::vector<int>& references) {
+  if (sense.type != R::kFacing || !is_table(catalog_, target.noun)) return false;
+  const NounPhrase& other = noun_of_item(references.front());
+  if (!is_seat(catalog_, other) || !one_of(other.head, {"chair", "stool"}) || target.items.size() != 1 ||
+      mount_of(target.noun) != Mount::kFloor)
+    return false;
+  for (const int seat : references) {
+    add(link, R::kInFrontOf, {id(seat)}, {id(target.items.front())});
+    add(link, R::kFacing, {id(seat)}, {id(target.items.front())});
+  }
+  return true;
+}
+
+// "a glass in front of every chair": on the table where it stands.
+bool RelationBuilder::add_before_seats(const Link& link, const PhraseSense& sense, const Mention& target,
+                                       const std::vector<int>& references) {
+  if (sense.type != R::kInFrontOf || mount_of(target.noun) != Mount::kSurface || !is_seat(catalog_, noun_of_item(references.front())))
+    return false;
+  std::size_t laid = 0;
+  for (std::size_t t = 0; t < target.items.size(); ++t) {
+    const std::string table = table_of(id(references[std::min(t * references.size() / target.items.size(), references.size() - 1)]));
+    if (table.empty()) break;
+    add(link, R::kOn, {id(target.items[t])}, {table});
+    const std::size_t seat = std::min(t * references.size() / target.items.size(), references.size() - 1);
+    if (target.items.size() <= references.size()) {
+      add(link, R::kInFrontOf, {id(target.items[t])}, {id(references[seat])});
+      scene_.relations.back().hard = false;  // as near as the others leave room
+    }
+    ++laid;
+  }
+  return laid == target.items.size();
+}
+
+// "two seats at a panel of dials" on the wall, as at a desk.
+bool RelationBuilder::is_worked_at(const NounPhrase& noun) const {
+  return mount_of(noun) == Mount::kWall && noun.entry != nullptr && !noun.entry->used_sides.empty() && !noun.entry->is(Trait::kCurtain) &&
+         !noun.entry->is(Trait::kMirror);
+}
+
+// A seat "at" a table, "drawn up to" it, is used there, from any side.
+bool RelationBuilder::sits_at(const Link& link, const PhraseSense& sense, const NounPhrase& seat, const NounPhrase& table) const {
+  if (!is_seat(catalog_, seat) || !(is_table(catalog_, table) || is_worked_at(table))) return false;
+  const std::string& word = document_.tokens[link.first].text;
+  if (sense.type == R::kInFrontOf) return one_of(word, {"pulled", "drawn"});
+  return sense.type == R::kNextTo && one_of(word, {"at", "to", "for"});
+}
+
+// Two that stand on either side of what such things flank; seats at a table or along a counter.
+bool RelationBuilder::add_by_one(const Link& link, const PhraseSense& sense, const Mention& target, int reference) {
+  const NounPhrase& host = noun_of_item(reference);
+  const bool several = target.items.size() > 1;
+  if (sense.type == R::kNextTo && target.items.size() == 2 && link.references.size() == 1 && flanks(target.noun, host)) {
+    add(link, R::kEachSideOf, ids(target.items), {id(reference)});
+    return true;
+  }
+  const bool at = sits_at(link, sense, target.noun, host);
+  // Several of them along a counter sit before it.
+  const bool along = (sense.type == R::kNextTo || sense.type == R::kAlongSide) && !sense.side && several &&
+                     seats_one_side(link, target.items.front(), reference);
+  if (several && (at || along)) {
+    add_group(link, {R::kAround, Direction::kDirect, {}, {}, {}}, target.items, {reference}, nullptr);
+    return true;
+  }
+  if (!at) return false;
+  add(link, user_side(reference), {id(target.items.front())}, {id(reference)});
+  add(link, R::kFacing, {id(target.items.front())}, {id(reference)});
+  return true;
+}
+
+// What stands under a thing on the wall: the wall's thing is above it.
+bool RelationBuilder::add_under_hung(const Link& link, const PhraseSense& sense, const Mention& target,
+                                     const std::vector<int>& references) {
+  if (sense.type != R::kUnder || mount_of(target.noun) != Mount::kFloor || target.items.size() != 1) return false;
+  const std::vector<std::size_t>& all = relations_of(id(references.front()));
+  const bool hung = std::any_of(all.begin(), all.end(), [&](std::size_t r) { return scene_.relations[r].type == R::kOnWall; });
+  const Mount above = may_sit_under(catalog_, target.noun, noun_of_item(references.front())) ? Mount::kWall
+                      : hung                                                                 ? Mount::kWall
+                                                                                             : mount_of(noun_of_item(references.front()));
+  if (above != Mount::kWall && above != Mount::kCeiling) return false;
+  for (const int reference : references) add(link, R::kAbove, {id(reference)}, {id(target.items.front())});
+  return true;
+}
+
+// "behind the desk a clock is mounted on the wall": above it where the desk itself stands against the wall.
+bool RelationBuilder::hangs_over(const PhraseSense& sense, const Mention& target, const std::vector<int>& references) const {
+  if (sense.type != R::kBehind || mount_of(target.noun) != Mount::kWall || references.size() != 1) return false;
+  const std::vector<std::size_t>& all = relations_of(id(references.front()));
+  return std::any_of(all.begin(), all.end(), [&](std::size_t r) {
+    return scene_.relations[r].type == R::kAgainstWall || scene_.relations[r].type == R::kCenteredOnWall;
+  });
+}
+
+void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Mention& target, const std::vector<int>& references,
+                                 const Mention* place) {
+  if (references.empty()) {
+    if (place != nullptr) add_in_room(link, sense, target, place->noun);
+    return;
+  }
+  if (sense.type == R::kOpposite && references.size() == 1 && add_on_other_side(link, sense, target, references.front())) return;
+  if (sense.type == R::kOpposite && references.size() == 1 && add_across_table(link, target, references.front())) return;
+  if (sense.type == R::kOpposite && add_across_room(link, target, references)) return;
+  if (sense.type == R::kOpposite) add_wall_opposite(link, target);
+  settle_sense(link, sense, target, references);
+  if (add_drawn_up(link, sense, target, references)) return;
+  if (hangs_over(sense, target, references)) sense.type = R::kAbove;
+  if (add_before_seats(link, sense, target, references)) return;
+  // "magazines at one end" of a table lie on it.
+  if (sense.type == R::kAlongSide && mount_of(target.noun) == Mount::kSurface) sense = {R::kOn, Direction::kDirect, PartWord::kEnd, {}, {}};
+  if (sense.type == R::kIn && !has_inside(noun_of_item(references.front())) && !is_hollow_by(link, noun_of_item(references.front()))) {
+    const auto object = [&](int item) -> const SceneObject& { return scene_.objects[static_cast<std::size_t>(item)]; };
+    sense.type = is_used_within(object(target.items.front()), object(references.front())) ? R::kInside : R::kOn;
+  }
+  if (references.size() == 1 && add_by_one(link, sense, target, references.front())) return;
+  if (add_under_hung(link, sense, target, references) || add_by_carrier(link, sense, target, references.front()) ||
+      add_as_many(link, sense, target, references))
+    return;
+  // "A mirror wall in front" of mats: on the wall there, not on the floor before them.
+  if (sense.type == R::kInFrontOf && mount_of(target.noun) == Mount::kWall && target.noun.entry != nullptr &&
+      target.noun.entry->is(Trait::kMirror)) {
+    for (const int item : target.items) add(link, R::kOnWall, {id(item)}, {});
+    return;
+  }
+  add_for_each(link, sense, target, references);
+}
+
+// "A fan over them", of two armchairs: over the table that is between them.
+bool RelationBuilder::add_over_table_between(const Link& link, const PhraseSense& sense, const Mention& target,
+                                             const std::vector<int>& references) {
+  if (sense.type != R::kAbove || target.items.size() != 1 || references.size() != 2 || mount_of(target.noun) != Mount::kCeiling)
+    return false;
+  const auto between = std::ranges::find_if(
+      scene_.relations, [&](const Relation& r) { return r.type == R::kBetween && r.references == ids(references) && !r.targets.empty(); });
+  if (between == scene_.relations.end()) return false;
+  add(link, R::kAbove, ids(target.items), {between->targets.front()});
+  return true;
+}
+
+// Rows behind a rail; what is at a side of the room and not of one thing.
+bool RelationBuilder::add_as_many(const Link& link, const PhraseSense& sense, const Mention& target, const std::vector<int>& references) {
+  constexpr std::size_t kMostBeside = 3;
+  if (references.size() != 1) return false;
+  if (add_rows_behind(link, sense, target, references.front())) return true;
+  if ((sense.type != R::kLeftOf && sense.type != R::kRightOf) || !link.implied) return false;
+  const bool left = sense.type == R::kLeftOf;
+  const Mount mount = mount_of(target.noun);
+  // "a dumbbell rack, a mirror wall on the right"
+  if (mount == Mount::kWall && target.noun.name.ends_with(" wall")) {
+    for (const int item : target.items) add(link, R::kOnWall, {id(item)}, {left ? "left" : "right"});
+    return true;
+  }
+  // "a bench for the judge, twelve seats on the right": so many do not stand beside one thing.
+  if (mount != Mount::kFloor || target.items.size() <= kMostBeside) return false;
+  const PhraseSense side{R::kInRegion, Direction::kDirect, {}, left ? RoomRegion::kLeft : RoomRegion::kRight, {}};
+  for (const int item : target.items) add(link, side.type, {id(item)}, {}, side);
+  return true;
+}
+
+// As many as there are references: one for each; more: shared out; fewer: by all that can be so.
+void RelationBuilder::add_for_each(const Link& link, PhraseSense sense, const Mention& target, const std::vector<int>& references) {
+  const bool seat_at = references.size() > 1 && sits_at(link, sense, target.noun, noun_of_item(references.front()));
+  if (seat_at && target.items.size() > references.size()) {
+    add_group(link, {R::kAround, Direction::kDirect, {}, {}, {}}, target.items, references, nullptr);
+    return;
+  }
+  if (seat_at) sense.type = user_side(references.front());  // "a chair at each"
+  const std::size_t n = target.items.size(), m = references.size();
+  // "a bouquet waits behind both", "to the left of the monitors": of all of them.
+  const bool both = sense.type == R::kAbove && m == 2 && says_one_of(document_, link.last - 1, {"both"});  // "a shelf above both"
+  if (add_over_table_between(link, sense, target, references)) return;
+  const bool sided = both || sense.type == R::kBehind || sense.type == R::kLeftOf || sense.type == R::kRightOf;
+  const bool all = sense.type == R::kInFrontOf || sense.type == R::kOpposite || sided;
+  if (sense.type == R::kOpposite && m == 1 && n > 1) {  // as a group
+    add(link, sense.type, ids(target.items), {id(references.front())}, sense);
+    for (const int item : target.items) add_across(link, item, {id(references.front())});
+    return;
+  }
+  for (std::size_t t = 0; t < n; ++t) {
+    const int item = target.items[t];
+    if (m == 1) {
+      add(link, sense.type, {id(item)}, {id(references.front())}, sense);
+      if (sense.type == R::kOpposite) add_across(link, item, {id(references.front())});
+      add_look(link, sense.type, item, references.front());
+    } else if (n > 1 || !all) {
+      // As many as there are references: one for each; more: shared out; fewer: the first.
+      const std::size_t r = n >= m ? t * m / n : t;
+      add(link, sense.type, {id(item)}, {id(references[n > 1 ? r : 0])}, sense);
+      add_look(link, sense.type, item, references[n > 1 ? r : 0]);
+    } else {
+      for (const int reference : references) {
+        // Nothing is straight opposite two beds that stand side by side, no keyboard in front of two screens; it is across from both.
+        Link one = link;
+        const bool beside_all = sense.type == R::kInFrontOf && mount_of(target.noun) != Mount::kSurface;
+        one.soft |= !beside_all && reference != references.front();
+        add(one, sense.type, {id(item)}, {id(reference)}, sense);
+        if (sense.type == R::kOpposite) add_across(link, item, {id(reference)});
+      }
+      add_look(link, sense.type, item, references.front());
+    }
+  }
+}
+
+// "a desk in the alcove": against the alcove's own wall, where that is long enough.
+void RelationBuilder::add_in_niche(const Link& link, const Mention& target) {
+  const std::string wall = document_.niche ? wall_of_niche(scene_.room, *document_.niche) : std::string{};
+  if (wall.empty()) return;
+  for (const int item : target.items) {
+    const NounPhrase& noun = noun_of_item(item);
+    const Mount mount = mount_of(noun);
+    if (mount == Mount::kWall) {
+      add(link, R::kOnWall, {id(item)}, {wall});
+    } else if (mount == Mount::kFloor) {
+      Link there = link;
+      there.soft |= noun.entry != nullptr && noun.entry->size.least.width > mm_from_m(document_.niche->width);
+      add(there, R::kAgainstWall, {id(item)}, {wall});
+    }
+  }
+}
+
+std::vector<std::string> RelationBuilder::shared_walls(const NounPhrase& walls, bool boards) const {
+  const bool every = walls.determiner == Determiner::kEach && walls.wall_word.empty();  // "tall shelves on every wall": not the front one
+  if (walls.kind != NounKind::kWall || !(walls.is_plural() || walls.determiner == Determiner::kBoth || every)) return {};
+  const bool sides = walls.name.find("side wall") != std::string::npos || walls.name.find("long") != std::string::npos;
+  if (every && sides) return {"left", "right"};
+  if (every && boards) return {"back", "left", "right", "front"};
+  if (every) return {"left", "back", "right"};
+  const auto said = [&](std::string_view word) {
+    return walls.wall_relation == word || std::find(walls.attributes.begin(), walls.attributes.end(), word) != walls.attributes.end();
+  };
+  if (const auto [one, other] = walls_by_length(walls, scene_.room); !one.empty() && !scene_.room.polygon.empty()) return {one, other};
+  if (walls.count >= 3) return {"left", "back", "right"};
+  const bool pair = said("opposite") || walls.determiner == Determiner::kBoth || walls.name.find("side wall") != std::string::npos ||
+                    walls.name.find("long") != std::string::npos;
+  if (pair) return {"left", "right"};
+  return said("adjacent") || walls.count == 2 ? std::vector<std::string>{"left", "back"} : std::vector<std::string>{};
+}
+
+bool RelationBuilder::flanks(const NounPhrase& thing, const NounPhrase& host) const {
+  if (thing.entry == nullptr || host.entry == nullptr) return false;
+  if (!one_of(host.head, WordSet::kLainOn)) return false;
+  return stands_by(catalog_, thing, host);
+}
+
+bool RelationBuilder::holds_inside(const NounPhrase& host) const {
+  if (one_of(host.head, WordSet::kClosedFurniture)) return false;
+  return is_storage(host) && has_inside(host);
+}
+
+bool RelationBuilder::has_inside(const NounPhrase& host) const {
+  if (host.entry == nullptr) return is_storage(host);
+  if (host.entry->is(Trait::kVessel)) return true;
+  return std::any_of(host.entry->spaces.begin(), host.entry->spaces.end(), [](const SpaceFormula& s) { return s.carries; });
+}
+
+// "four croissants inside", said of what has no inside of its own, or of which nothing is known: it is hollow for them.
+bool RelationBuilder::is_hollow_by(const Link& link, const NounPhrase& host) const {
+  if (!one_of(document_.tokens[link.first].text, WordSet::kInside) || mount_of(host) == Mount::kWall) return false;
+  return host.entry == nullptr || !host.exact || !(host.entry->thin || host.entry->top_carries || is_sat_on(host));
+}
+
+void RelationBuilder::add_look(const Link& link, R type, int item, int reference) {
+  const NounPhrase &thing = noun_of_item(item), &other = noun_of_item(reference);
+  const auto screen = [](const NounPhrase& n) {
+    return one_of(n.head, WordSet::kScreens) || n.name.find("tv ") != std::string::npos || n.name.find("media") != std::string::npos;
+  };
+  const bool seat = is_seat(catalog_, thing);
+  const bool before =
+      (type == R::kInFrontOf || type == user_side(reference)) && ((seat && (is_table(catalog_, other) || screen(other))) || screen(thing));
+  if (!before && (type != R::kAlongSide || !seat)) return;
+  Link look = link;
+  look.concluded = true;
+  add(look, R::kFacing, {id(item)}, {id(reference)});
+}
+}  // namespace layoutbox::offline

@@ -1,0 +1,234 @@
+#include "layoutbox/plan/relations/table_seats.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "layoutbox/base/units.h"
+#include "layoutbox/catalog/groups.h"
+#include "layoutbox/catalog/measures.h"
+#include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/plan/phrases/knowledge.h"
+#include "layoutbox/plan/phrases/reader_words.h"
+#include "layoutbox/plan/relations/mention_links.h"
+#include "layoutbox/plan/relations/seat_builder.h"
+#include "layoutbox/plan/words/word_sets.h"
+
+namespace layoutbox::offline {
+namespace {
+
+class TableSeats {
+ public:
+  TableSeats(const Lexicon& lexicon, Document& document)
+      : catalog_(lexicon.catalog()), document_(document), builder_(lexicon, document), links_(document) {
+    if (!document.rooms.empty() && document.rooms.front().room != nullptr) room_ = document.rooms.front().room->id;
+    counter_named_ = std::ranges::any_of(
+        document.items, [](const TextItem& item) { return item.noun.entry != nullptr && item.noun.entry->is(Trait::kCounter); });
+    for (std::size_t m = 0; m < document.mentions.size(); ++m) look_for_loose(static_cast<int>(m));
+  }
+
+  void run(std::size_t said) {
+    for (std::size_t m = 0; m < said; ++m) seat_table(static_cast<int>(m));
+    for (std::size_t m = 0; m < document_.mentions.size(); ++m) look_for_desk(static_cast<int>(m));
+    for (std::size_t m = 0; m < said; ++m) share_seats(static_cast<int>(m));
+    for (std::size_t m = 0; m < said; ++m) share_companions(static_cast<int>(m));
+    for (const Link& link : document_.links) share_stands(link);
+  }
+
+ private:
+  static constexpr auto kAnyLink = [](const Link&) { return true; };
+
+  Mention& mention(int m) { return document_.mentions[static_cast<std::size_t>(m)]; }
+  const Mention& mention(int m) const { return document_.mentions[static_cast<std::size_t>(m)]; }
+
+  static bool names_things(const Mention& mention) { return mention.introduces && mention.noun.kind == NounKind::kObject; }
+  bool names_seat(const Mention& mention) const { return names_things(mention) && is_seat(catalog_, mention.noun); }
+  static bool is_stool(const NounPhrase& noun) { return one_of(noun.head, WordSet::kStools); }
+
+  bool is_upright(const NounPhrase& noun) const {
+    const bool easy = noun.entry != nullptr && noun.entry->is(Trait::kEasySeat);  // "a lounge chair"
+    return one_of(noun.head, WordSet::kUprightSeats) && !easy;
+  }
+
+  // "a bench with stools"
+  bool stands_by_a_thing(int seat) const {
+    return links_.is_placed_by(seat, [](const Mention& other) { return other.noun.kind == NounKind::kObject && !other.items.empty(); });
+  }
+  bool is_told_elsewhere(int seat) const {
+    const NounPhrase& noun = mention(seat).noun;
+    return is_stool(noun) && noun.count == 0 && stands_by_a_thing(seat);
+  }
+
+  // A seat that may be any table's: none is named that it stands at.
+  void look_for_loose(int seat) {
+    const NounPhrase& noun = mention(seat).noun;
+    if (!names_seat(mention(seat)) || !is_upright(noun) || one_of(noun.name, {"piano bench", "piano stool", "high chair"})) return;
+    if (one_of(noun.head, WordSet::kStools) && counter_named_) return;  // "an island and four stools, a table for six"
+    const auto at_a_table = [&](const Mention& other) { return !other.items.empty() && is_table(catalog_, other.noun); };
+    if (is_told_elsewhere(seat) || links_.is_placed_by(seat, at_a_table)) return;
+    const bool bench = noun.head == "bench" && !noun.is_plural();
+    (bench ? loose_bench_ : loose_seat_) = true;
+  }
+
+  // "a table for six, with chairs": as many; "with a bench": that is all; "with a bench and chairs": half of them on the bench.
+  bool seats_named(const Mention& table, int seats) {
+    constexpr int kOfBench = 3;  // sit on one
+    const int all = seats * static_cast<int>(table.items.size());
+    bool named = loose_seat_ || (loose_bench_ && all <= kOfBench);
+    const std::vector<int> placed = links_.placed_by(table, kAnyLink);
+    const bool bench =
+        std::ranges::any_of(placed, [&](int seat) { return names_seat(mention(seat)) && mention(seat).noun.head == "bench"; });
+    for (const int seat : placed) {
+      if (!names_seat(mention(seat))) continue;
+      const NounPhrase& noun = mention(seat).noun;
+      named = true;
+      if (noun.count == 0 && noun.plural && is_upright(noun)) builder_.grow(seat, bench && noun.head != "bench" ? all - all / 2 : all);
+    }
+    return named;
+  }
+
+  // Two sit side by side.
+  void widen_for_two(int m) {
+    for (const int item : mention(m).items) {
+      SaidSize& size = document_.items[static_cast<std::size_t>(item)].noun.size;
+      if (!size.any()) size.width = m_from_mm(measures().desk_for_two);
+    }
+  }
+
+  // "a bar along the window, with stools": as many as it takes side by side.
+  void line_counter(const Mention& table) {
+    const CatalogEntry& entry = *table.noun.entry;
+    const Seating* seating = entry.is(Trait::kCounter) ? seating_at(entry) : nullptr;
+    if (seating == nullptr || seating->sizes.empty()) return;
+    Size size = entry.size.usual;
+    if (const auto& said = table.noun.size.width) size.width = mm_from_m(*said);
+    const int seats = seats_at_size(*seating, false, size) * static_cast<int>(table.items.size());
+    for (const int m : links_.placed_by(table, [](const Link& link) { return link.kind == Link::Kind::kHave; })) {
+      const NounPhrase& noun = mention(m).noun;
+      const bool stools = noun.kind == NounKind::kObject && noun.entry != nullptr && noun.entry->is(Trait::kTableSeat);
+      if (stools && noun.count == 0 && noun.plural && !noun.vague) builder_.grow(m, seats);
+    }
+  }
+
+  const Seating* seating_at(const CatalogEntry& table) {
+    const auto [found, is_new] = seatings_.try_emplace(&table, nullptr);
+    if (is_new) found->second = Groups::builtin().seating_at(catalog_, table, room_);
+    return found->second;
+  }
+
+  // What one sits on at such a table; null: nobody sits there.
+  const CatalogEntry* seat_at(const CatalogEntry& table) {
+    const Seating* seating = seating_at(table);
+    return seating == nullptr ? nullptr : catalog_.find(seating->seat);
+  }
+
+  void seat_table(int m) {
+    if (!names_things(mention(m)) || mention(m).noun.entry == nullptr || !is_table(catalog_, mention(m).noun)) return;
+    const Mention table = mention(m);
+    const int seats = builder_.seats_said(table);
+    if (seats == 0) {
+      line_counter(table);
+      return;
+    }
+    if (seats == 2 && table.noun.entry->is(Trait::kDesk)) widen_for_two(m);
+    if (seats_named(table, seats)) return;
+    const CatalogEntry* seat = seat_at(*table.noun.entry);
+    if (seat == nullptr || builder_.excluded(*seat)) return;
+    const int all = std::min(seats * static_cast<int>(table.items.size()), kMostPeople);
+    builder_.seat_at_table(builder_.add(*seat, all, table.noun), m, seats > 1);
+    links_.follow();
+  }
+
+  // Several that seats may be shared out to.
+  static bool is_shared_host(const Mention& host) { return names_things(host) && host.noun.entry != nullptr && host.items.size() > 1; }
+
+  void look_for_desk(int m) {
+    if (!is_shared_host(mention(m)) || !mention(m).noun.entry->is(Trait::kDeskLike)) return;
+    if (const CatalogEntry* seat = seat_at(*mention(m).noun.entry)) desk_of_[seat] = m;
+  }
+
+  // The first of the tables that they stand at.
+  std::optional<int> host_of(int seats) const {
+    std::optional<int> first;
+    for (const int by : links_.hosts_of(seats)) {
+      for (const int host : links_.of_same(mention(by))) {
+        if (is_shared_host(mention(host)) && host < first.value_or(host + 1)) first = host;
+      }
+    }
+    return first;
+  }
+
+  bool is_for_several(const CatalogEntry& table) {
+    const Seating* seating = seating_at(table);
+    return seating != nullptr && !seating->seat.empty() && seats_at_size(*seating, false, table.size.usual) > 1;
+  }
+
+  // How many stand at each of those tables.
+  int places_at(const NounPhrase& host, const NounPhrase& seat) {
+    const bool one_each = host.entry->is(Trait::kDeskLike) || host.entry->is(Trait::kDesk) || host.entry->is(Trait::kCounter);
+    const bool flanks = seat.entry->is(Trait::kChair) || seat.head == "bench" ||  // "long tables with benches"
+                        (is_stool(seat) && is_for_several(*host.entry));
+    const bool at_sides = host.entry->is(Trait::kTable) && host.entry->used_sides.size() > 1 && flanks;
+    return one_each || !at_sides ? 1 : 2;
+  }
+
+  // "two small tables with chairs": two at each of them; "four potter's wheels, stools": one for each.
+  void share_seats(int m) {
+    const NounPhrase& noun = mention(m).noun;
+    if (!names_seat(mention(m)) || noun.entry == nullptr || !noun.plural || noun.count != 0 || mention(m).items.empty()) return;
+    std::optional<int> host = host_of(m);
+    const int places = host ? places_at(mention(*host).noun, noun) : 1;
+    if (const auto desk = desk_of_.find(noun.entry); !host && desk != desk_of_.end()) host = desk->second;
+    if (host) builder_.grow(m, static_cast<int>(mention(*host).items.size()) * places);
+  }
+
+  // "three chairs and mirrors" of a salon: one for each, where such things have one each.
+  void share_companions(int m) {
+    const NounPhrase noun = mention(m).noun;
+    if (m == 0 || !names_things(mention(m)) || noun.entry == nullptr || !noun.plural || noun.count != 0 || mention(m).items.empty() ||
+        noun.first == 0)
+      return;
+    const Mention& before = mention(m - 1);
+    const bool joined = names_things(before) && before.noun.entry != nullptr && before.noun.last + 1 == noun.first &&
+                        one_of(document_.tokens[noun.first - 1].text, {"and", "with", "&"});
+    if (!joined || before.items.size() <= mention(m).items.size()) return;
+    const auto goes_with = [&](const Companion& row) {
+      return row.each == 1 && catalog_.is_a(before.noun.entry->id, row.of) && catalog_.is_a(noun.entry->id, row.adds);
+    };
+    if (std::ranges::any_of(Groups::builtin().companions, goes_with)) builder_.grow(m, static_cast<int>(before.items.size()));
+  }
+
+  // "three cameras on tripods": one for each, where one of them takes no more.
+  void share_stands(const Link& link) {
+    const auto on = [](const PhraseSense& sense) { return sense.type == RelationType::kOn; };
+    if (link.kind != Link::Kind::kRelation || link.targets.size() != 1 || link.references.size() != 1 ||
+        std::ranges::none_of(link.senses, on))
+      return;
+    const int things = static_cast<int>(mention(link.targets[0]).items.size());
+    const Mention& stand = mention(link.references[0]);
+    const NounPhrase& noun = stand.noun;
+    if (!stand.introduces || stand.items.empty() || noun.kind != NounKind::kObject || noun.entry == nullptr || !noun.plural ||
+        noun.count != 0)
+      return;
+    const Size& size = noun.entry->size.usual;
+    const bool small = noun.entry->mount == Mount::kFloor && !is_table(catalog_, noun) && !noun.entry->is(Trait::kShelving) &&
+                       std::min(size.width, size.depth) <= measures().stand_for_one + 100 && std::max(size.width, size.depth) <= 1000;
+    if (small && things > static_cast<int>(stand.items.size())) builder_.grow(link.references[0], things);
+  }
+
+  const Catalog& catalog_;
+  Document& document_;
+  SeatBuilder builder_;
+  MentionLinks links_;
+  std::string room_;
+  bool counter_named_ = false;
+  bool loose_seat_ = false, loose_bench_ = false;
+  std::map<const CatalogEntry*, const Seating*> seatings_;  // by table, as they were asked for
+  std::map<const CatalogEntry*, int> desk_of_;              // by seat, the last of the desks that such seats stand at
+};
+
+}  // namespace
+
+void seat_tables(const Lexicon& lexicon, Document& document, std::size_t said) { TableSeats(lexicon, document).run(said); }
+
+}  // namespace layoutbox::offline
