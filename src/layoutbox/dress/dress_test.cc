@@ -90,6 +90,16 @@ TEST(Dress, TheTextSaysTheFormOfAKitchen) {
   EXPECT_TRUE(std::ranges::any_of(facing.of("base_cabinet"), [](const PlacedObject& o) { return o.rotation_deg == 180; }));
 }
 
+TEST(Dress, NoCabinetStandsBeforeASinkInTheCorner) {
+  DressedRoom room("kitchen", 4.0, 3.6, "An L-shaped kitchen with a sink, a stove and a fridge.");
+  room.put("kitchen_sink", 0.4, 3.29, 0).put("stove", 1.1, 3.29, 0).put("fridge", 1.75, 3.26, 0);
+  room.dress();
+  for (const PlacedObject& cabinet : room.of("base_cabinet")) {
+    const dressing::RoomBox box = dressing::box_round(cabinet);
+    EXPECT_FALSE(box.x0 < 750 && box.y1 > 2600 && box.y0 < 2980) << cabinet.id;
+  }
+}
+
 TEST(Dress, RunsAlongTwoWallsMeetInTheCorner) {
   DressedRoom room("kitchen", 4.4, 3.7, "A kitchen with an L-shaped counter along the north and west walls.");
   room.put("counter", 1.6, 3.39, 0).put("counter", 0.31, 1.55, 90);

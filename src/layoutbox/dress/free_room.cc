@@ -191,6 +191,15 @@ std::vector<Span> FreeRoom::free_along(const DressedWall& wall, Span off, Span h
   return free;
 }
 
+std::vector<Span> without(const std::vector<Span>& spans, const Span& gap) {
+  std::vector<Span> rest;
+  for (const Span& span : spans) {
+    if (span.low < gap.low) rest.push_back({span.low, std::min(span.high, gap.low)});
+    if (span.high > gap.high) rest.push_back({std::max(span.low, gap.high), span.high});
+  }
+  return rest;
+}
+
 std::vector<Span> shared(const std::vector<Span>& a, const std::vector<Span>& b) {
   std::vector<Span> both;
   for (const Span& one : a) {

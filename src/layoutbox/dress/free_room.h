@@ -83,6 +83,9 @@ class FreeRoom {
   std::vector<Taken> taken_;
 };
 
+// The spans but for what the gap takes of them.
+std::vector<Span> without(const std::vector<Span>& spans, const Span& gap);
+
 // The parts that two lists of spans share.
 std::vector<Span> shared(const std::vector<Span>& a, const std::vector<Span>& b);
 

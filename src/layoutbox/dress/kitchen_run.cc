@@ -61,7 +61,7 @@ class KitchenRun {
       double sum = 0;
       for (const KitchenUnit& unit : units_at(dresser_, wall)) {
         sum += unit.span.length() + (dresser_.entry_of(*unit.object).is(Trait::kWashUp) ? kOfSink : 0);
-        const bool counter = dresser_.entry_of(*unit.object).is(Trait::kCounter) && unit.object->spaces.empty();
+        const bool counter = is_worktop(*unit.object) && unit.object->spaces.empty();
         if (counter) size_.depth = unit.object->size.depth, size_.height = unit.object->size.height;
       }
       if (sum > longest) longest = sum, main_ = &wall;
@@ -73,19 +73,42 @@ class KitchenRun {
     std::vector<std::string> ids;
     for (const KitchenUnit& unit : units_at(dresser_, *main_)) {
       const bool flush = unit.span.low < kNarrowest || main_->length - unit.span.high < kNarrowest;
-      if (flush && unit.object->origin == Origin::kAdded && dresser_.entry_of(*unit.object).is(Trait::kCounter))
+      if (flush && unit.object->origin == Origin::kAdded && is_worktop(*unit.object))
         ids.push_back(unit.object->id);
     }
     for (const std::string& id : ids) dresser_.use_from_no_side(id);
+  }
+
+  // A sink is a counter as well, but it is used from the front.
+  bool is_worktop(const PlacedObject& unit) const {
+    const CatalogEntry& entry = dresser_.entry_of(unit);
+    return entry.is(Trait::kCounter) && !entry.is(Trait::kWashUp);
   }
 
   // Where a cabinet may stand along a wall, with room to walk before it.
   std::vector<Span> free_at(const DressedWall& wall) const {
     const double depth = size_.depth;
     const double walk = form_.empty() ? measures().before_run : measures().least_before_run;
-    return shared(
+    std::vector<Span> spans = shared(
         dresser_.room().free_along(wall, {0, depth}, {0, double(size_.height)}),
         dresser_.room().free_along(wall, {depth, depth + walk}, {0, double(size_.height)}, FreeRoom::Count::kStandingAndDoorways));
+    for (const DressedWall& other : dresser_.room().walls()) {
+      for (const Span& front : fronts_before(wall, other)) spans = without(spans, front);
+    }
+    return spans;
+  }
+
+  // What of a wall the floor before sinks, stoves and appliances at another wall takes up: those in a corner.
+  std::vector<Span> fronts_before(const DressedWall& wall, const DressedWall& other) const {
+    std::vector<Span> fronts;
+    if (&other == &wall) return fronts;
+    for (const KitchenUnit& unit : units_at(dresser_, other)) {
+      if (is_worktop(*unit.object)) continue;
+      const double depth = other.off(box_round(*unit.object)).high;
+      const RoomBox front = other.box(unit.span, {depth, depth + kOfUse}, {0, double(size_.height)});
+      if (wall.off(front).low < size_.depth) fronts.push_back(wall.along(front));
+    }
+    return fronts;
   }
 
   // Equal cabinets over the whole of it.
@@ -132,7 +155,7 @@ class KitchenRun {
     const bool taken = std::min(here, first) < kNarrowest;  // one of them stands in it
     const PlacedObject& in = here < first ? *before.back().object : *after.front().object;
     const std::string in_corner = in.id;
-    const bool may_be_blocked = in.origin == Origin::kAdded && dresser_.entry_of(in).is(Trait::kCounter);
+    const bool may_be_blocked = in.origin == Origin::kAdded && is_worktop(in);
     if (taken && !may_be_blocked && !goes_round(here < first ? before.back() : after.front())) return;
     const bool of_next = !taken && first < depth - kTouching;
     const double wide = of_next ? first : here - depth < kInCorner ? here : depth;  // no chink, and none that cannot be stood before
@@ -150,7 +173,7 @@ class KitchenRun {
 
   // A worktop, of which enough is left to stand before.
   bool goes_round(const KitchenUnit& unit) const {
-    return unit.span.length() >= size_.depth + kOfUse && dresser_.entry_of(*unit.object).is(Trait::kCounter);
+    return unit.span.length() >= size_.depth + kOfUse && is_worktop(*unit.object);
   }
 
   // All of it, where it is more than a chink.
