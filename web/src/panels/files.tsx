@@ -4,6 +4,7 @@ import {Icon} from "../icons";
 import {api} from "../api";
 import type {ExportRequest, Layout} from "../gen/types";
 import {OpenFile} from "../prompt";
+import {save} from "../save";
 import {show_error} from "../state/actions";
 import {use} from "../state/store";
 import {texts} from "../texts";
@@ -11,14 +12,6 @@ import {Picture} from "./picture";
 
 const kFormats = ["json", "glb", "svg", "pdf", "png", "blender.py"] as const;
 type Format = ExportRequest["format"];
-
-export function save(blob: Blob, name: string): void {
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(blob);
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
-}
 
 export function file_name(format: Format): string {
   if (format === "json") return "layout.json";

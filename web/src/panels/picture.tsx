@@ -2,9 +2,9 @@
 import {useEffect, useRef, useState} from "preact/hooks";
 import {Refused, api} from "../api";
 import type {Job, Layout, StartJobRequest} from "../gen/types";
+import {save} from "../save";
 import {show_error} from "../state/actions";
 import {texts} from "../texts";
-import {save} from "./files";
 
 const kJob = "layoutbox.job";
 const kAgain = 1000;

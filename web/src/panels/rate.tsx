@@ -2,9 +2,9 @@
 import {useEffect, useLayoutEffect, useMemo, useRef, useState} from "preact/hooks";
 import {Icon} from "../icons";
 import {type Rating, type RoomFiles, mixed, ratings_csv, rooms_of} from "../pure/ratings";
+import {save} from "../save";
 import {set} from "../state/store";
 import {texts} from "../texts";
-import {save} from "./files";
 
 const kScores = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10] as const;
 const kKept = "layoutbox.ratings";

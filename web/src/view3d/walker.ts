@@ -1,8 +1,8 @@
 // A walk through the room at eye level: drag to look, keys or buttons to go.
+import type {PerspectiveCamera} from "three";
 import type {Layout} from "../gen/types";
 import {type Point, contains, footprint, room_bounds, turned} from "../pure/geometry";
 import {on_wall} from "../pure/corners";
-import type {RoomView} from "./room_view";
 
 const kEye = 1.6;
 const kSpeed = 1.4;
@@ -19,6 +19,13 @@ const kKeys: Record<string, Go> = {
 
 export const go_of_key = (key: string): Go | undefined => kKeys[key] ?? kKeys[key.toLowerCase()];
 
+/** What is walked in: a view whose camera goes. */
+export interface Walked {
+  readonly canvas: HTMLCanvasElement;
+  readonly camera: PerspectiveCamera;
+  draw(): void;
+}
+
 export class Walker {
   private at_: Point;
   private readonly solid_: Point[][];
@@ -28,7 +35,7 @@ export class Walker {
   private drag_: {x: number; y: number} | null = null;
   private readonly ended_ = new AbortController();
 
-  constructor(private readonly view_: RoomView, private readonly layout_: Layout) {
+  constructor(private readonly view_: Walked, private readonly layout_: Layout) {
     const box = room_bounds(layout_.room);
     const centre: Point = [(box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2];
     this.solid_ = layout_.objects.filter((one) => one.pos[2] < kEye && one.pos[2] + one.size[2] > kStepOver).map(footprint);
