@@ -16,6 +16,9 @@ ARTIFACT, FOOD, PLANT = 6, 13, 20  # lexicographer files of physical things that
 ANIMAL = 5
 BODIES = {ANIMAL, 8, FOOD, 17, PLANT}  # animals, parts of them, food, stones, plants: things where a text names or counts one
 PERSON = 18
+ABSTRACT = {4, 7, 9, 11, 12, 14, 16, 24, 26, 28}  # acts, attributes, cognition, events, feelings, groups, motives, relations, states, times
+BODILY_GROUPS = {"collection", "set", "aggregation", "array", "game", "parlorgame", "boardgame", "fleet"}  # have pieces
+SHORTEST_ABSTRACT = 6  # the spelling of shorter ones is rather that of another word
 SHORTEST_RARE = 4  # shorter ones are rather typing errors
 MOST_KINDS = 5
 TELL_NOTHING = {"artifact", "chordate", "entity", "instrumentality", "livingthing", "matter", "metatherian", "naturalobject", "object",
@@ -102,6 +105,13 @@ def rarer_thing(lemma: str, senses: dict[str, list[int]], synsets: dict[int, tup
     return None
 
 
+def is_abstract(lemma: str, senses: dict[str, list[int]], synsets: dict[int, tuple[int, list[str], list[int]]]) -> bool:
+    """Whether a rare noun is nothing bodily in any of its senses: groups of people, feelings, acts, times, states."""
+    return len(lemma) >= SHORTEST_ABSTRACT and all(
+        synsets[sense][0] in ABSTRACT and not BODILY_GROUPS & set(kinds(sense, synsets)) for sense in senses[lemma]
+    )
+
+
 def kinds(sense: int, synsets: dict[int, tuple[int, list[str], list[int]]]) -> list[str]:
     """The words for the more general kinds of a sense, the nearest first, by the first of several kinds each."""
     found: list[str] = []
@@ -121,7 +131,7 @@ def main() -> None:
     senses = {lemma: kept for lemma, listed in all_senses.items() if (kept := [sense for sense in listed if sense not in names])}
     parts = {letter: lemmas(options.wordnet, name) for letter, name in (("n", "noun"), ("v", "verb"), ("a", "adj"), ("r", "adv"))}
     parts["n"] &= senses.keys()
-    lines = {}
+    lines, abstract = {}, set()
     for lemma in sorted(set().union(*parts.values())):
         if not re.fullmatch(r"[a-z]+([_-][a-z]+){0,2}", lemma):
             continue
@@ -147,6 +157,9 @@ def main() -> None:
                 lines.setdefault(lemma, " ".join([best + ("t" if thing is not None else letter), *kinds(thing or sense, synsets)]))
             else:
                 lines.setdefault(lemma, best + letter)
+        elif best == "n" and uses.keys() == {"n"} and not compound and is_abstract(lemma, senses, synsets):
+            lines.setdefault(lemma, "n")  # "clientele"
+            abstract.add(lemma)
         elif uses.keys() == {"r"} and not compound and not lemma.endswith("ly") and lemma[:-1] not in parts["n"] | parts["v"]:
             lines.setdefault(lemma, "r")  # "amidships"; not "needs"
         elif (
@@ -161,7 +174,7 @@ def main() -> None:
     for lemma, listed in all_senses.items():  # "for Otis" is for somebody, whatever genus or pastry is called so
         kind = lines.get(lemma, "k").split()
         somebody = any(sense in names and synsets[sense][0] == PERSON for sense in listed[:2])
-        if somebody and (kind[0] == "k" or "group" in kind):
+        if somebody and (kind[0] == "k" or lemma in abstract or "group" in kind):
             lines[lemma] = "p"
     for form, base in read_pasts(options.wordnet).items():
         if counts.get((base, "v"), 0) > 0:

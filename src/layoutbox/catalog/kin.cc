@@ -38,7 +38,7 @@ constexpr std::array<std::string_view, 7> kPlaceLists = {"on_wall",       "on_fl
 struct Kinds {
   Words kinds, modifiers, heads, portions, kept_in, own_parts, company, users;
   std::array<Words, kPlaceLists.size()> at_places;  // by KinPlace
-  std::set<std::string_view> no_things, body_parts;
+  std::set<std::string_view> no_things, no_bodies;
   std::map<std::string, std::string_view, std::less<>> like_keys;  // by the key (words.h)
 };
 
@@ -58,7 +58,7 @@ const Kinds& known_kinds() {
                {}};
     std::ranges::transform(kPlaceLists, read.at_places.begin(), words_of_list);
     for (const WordList::Member kind : word_list("words_kinds").at("no_things")) read.no_things.insert(kind.value.text());
-    for (const WordList::Member kind : word_list("words_kinds").at("body_parts")) read.body_parts.insert(kind.value.text());
+    for (const WordList::Member kind : word_list("words_kinds").at("no_bodies")) read.no_bodies.insert(kind.value.text());
     for (const auto& [word, id] : like_words()) read.like_keys.emplace(key_of(word), id);
     return read;
   }();
@@ -138,7 +138,7 @@ bool is_no_thing(const Catalog& catalog, std::string_view word) {
   if (!liked_entry(word).empty() || catalog.find_by_words(word) != nullptr) return false;
   for (const std::string& form : singular_forms(std::string(word))) {
     const std::string_view line = english_line(form);
-    const auto& none = line.starts_with("c ") ? known_kinds().body_parts : known_kinds().no_things;
+    const auto& none = line.starts_with("c ") ? known_kinds().no_bodies : known_kinds().no_things;
     for (const std::string_view kind : kinds_of(line)) {
       if (none.contains(kind)) return true;
       if (entry_of_kind(catalog, kind) != nullptr) return false;

@@ -17,6 +17,7 @@ class InsertReader {
 
   void run() {
     for (std::size_t k = 0; k + 1 < chunks_.size(); ++k) {
+      read_compound_quality(k);
       read_insert(k);
       read_headed_list(k);
       read_ability(k);
@@ -64,6 +65,19 @@ class InsertReader {
       if (is(k, ChunkKind::kNoun) && chunks_[k].noun.kind == NounKind::kMember) return false;
     }
     return true;
+  }
+
+  // "Flour-dusted and warm, …", "a bearskin, moth-eaten, lies …": how something is.
+  void read_compound_quality(std::size_t k) {
+    if (!is_thing(k)) return;
+    const NounPhrase& noun = chunks_[k].noun;
+    const Token& last = document_.tokens[noun.last - 1];
+    if (noun.exact || noun.entry != nullptr || noun.count != 0 || noun.determiner != Determiner::kNone || !last.glued) return;
+    const WordForm form = word_form(last.text);
+    const bool participle = last.text.ends_with("ed") || ((form == WordForm::kVerb || form == WordForm::kAdjective) && !noun.plural);
+    if (!participle) return;
+    const bool inserted = k > 0 && is(k - 1, ChunkKind::kComma) && is(k + 1, ChunkKind::kComma);
+    pass_over(inserted ? k - 1 : k, inserted ? k + 2 : k + 1, "how something is");
   }
 
   // "Behind the chair, humming, is a cabinet", "in the box, always, the cat", "behind the bench, which nobody minds, there is a chair".

@@ -12,6 +12,7 @@ class InventoryReader {
   explicit InventoryReader(Document& document) : document_(document), chunks_(document.chunks) {}
 
   void run() {
+    drop_headings();
     const std::size_t first = begin_of_list();
     if (first >= chunks_.size()) return;
     const std::size_t last = end_of_list(first);
@@ -21,11 +22,21 @@ class InventoryReader {
   }
 
  private:
+  bool is_inventory(std::size_t token) const { return one_of(document_.tokens[token].text, WordSet::kInventory); }
+
+  // "minimum equipment: four racks, …" says what follows; it is no thing by itself.
+  void drop_headings() {
+    for (Chunk& chunk : chunks_) {
+      const bool heads_list = chunk.last < document_.tokens.size() && document_.tokens[chunk.last].text == ":";
+      if (is_thing(chunk) && heads_list && !chunk.noun.exact && is_inventory(chunk.last - 1)) chunk.noun.kind = NounKind::kAbstract;
+    }
+  }
+
   // The chunk behind "items:"; past the end where there is no such heading.
   std::size_t begin_of_list() const {
     for (std::size_t k = 0; k < chunks_.size(); ++k) {
       const std::size_t at = chunks_[k].first;
-      if (at > 0 && document_.tokens[at].text == ":" && one_of(document_.tokens[at - 1].text, WordSet::kInventory)) return k + 1;
+      if (at > 0 && document_.tokens[at].text == ":" && is_inventory(at - 1)) return k + 1;
     }
     return chunks_.size();
   }

@@ -161,8 +161,11 @@ void References::mean_known(Mention& mention) {
 void References::mean_one_of_known(Mention& mention) {
   const NounPhrase& noun = mention.noun;
   const std::vector<int> before = known(noun);
-  const bool same =
-      before.size() > 1 && fit(noun, document_.items[static_cast<std::size_t>(before.front())].noun) >= (noun.count == 1 ? 2 : 3);
+  // "four server racks …; one battery cabinet": another thing, though it is drawn like those.
+  const bool own_name = !before.empty() && noun.name.find(' ') != std::string::npos &&
+                        noun.name != document_.items[static_cast<std::size_t>(before.front())].noun.name;
+  const bool same = before.size() > 1 && !(noun.count == 1 && own_name) &&
+                    fit(noun, document_.items[static_cast<std::size_t>(before.front())].noun) >= (noun.count == 1 ? 2 : 3);
   auto& picked = picked_[same ? document_.items[static_cast<std::size_t>(before.front())].group : -1];
   const bool left = std::any_of(before.begin(), before.end(), [&](int item) { return !contains(picked, item); });
   for (const int item : before) {

@@ -52,11 +52,6 @@ bool Scribe::is_living(const NounPhrase& noun) const {
 
 bool Scribe::is_evident(int u) const {
   const NounPhrase& noun = chunk(u).noun;
-  // "Flour-dusted and warm, …": how the room is.
-  const Token& last = document_.tokens[noun.last - 1];
-  if (noun.kind == NounKind::kObject && !noun.exact && last.glued && last.text.ends_with("ed") && noun.count == 0 &&
-      lexicon_.find({&last, 1}, 0, WordClass::kObject).length == 0)
-    return false;
   const bool living = is_living(noun);
   const UnitReading& own = reading(u);
   // "my parrot lives in the cage", "the dog sleeps under it": whose animal it is comes and goes. "The dog by the stove" lies there.
