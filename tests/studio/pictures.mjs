@@ -75,7 +75,7 @@ try {
   const shelf = id(page, "thing-bookshelf_1");
   await shelf.click();
   const top = await middle(id(page, "knob3d-height"));
-  await drag(page, {x: top.x, y: top.y + 22}, 150, 60);
+  await drag(page, {x: top.x, y: top.y + 22}, 60, -10);
   await shoot("hand-in-3d");
   await page.mouse.up();
   await page.waitForTimeout(500);
