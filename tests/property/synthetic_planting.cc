@@ -79,6 +79,7 @@ class Planter {
     placed.size = object.size->usual, placed.mount = entry.mount, placed.used_sides = entry.used_sides;
     placed.spaces = spaces_at(entry, placed.size);
     std::optional<Relation> support;
+    if (placed.size.height > layout_.room.height) return false;  // a climbing rope in a low room
     if (put && !put(placed)) return false;
     if (!put) switch (entry.mount) {
         case Mount::kFloor: put_on_floor(placed, entry); break;
