@@ -37,8 +37,9 @@ bool NounPhraseReader::names_after_one(const Match& match) const {
   if (match.length != 1 || parts_.empty() || parts_.back().last != i_ || parts_.back().plural || has(match, WordClass::kParticiple))
     return false;
   const std::string& named = tokens_[i_ - 1].text;  // "a truing stand", "a wig stand"
-  const bool noun = parts_.back().word_class == WordClass::kObject ||
-                    (parts_.back().word_class == WordClass::kFiller && (named.ends_with("ing") || is_noun(word_form(named))));
+  const WordClass before_it = parts_.back().word_class;
+  const bool noun = before_it == WordClass::kObject || before_it == WordClass::kRoom || before_it == WordClass::kAbstract ||
+                    (before_it == WordClass::kFiller && (named.ends_with("ing") || is_noun(word_form(named))));
   // "; thurible stand, in a corner"
   const bool item = phrase_.determiner == Determiner::kNone && bare_ && phrase_.first > 0 && tokens_[phrase_.first - 1].ends_sentence;
   const bool told = phrase_.determiner == Determiner::kDefinite &&
@@ -143,6 +144,9 @@ std::optional<bool> NounPhraseReader::read_thing(const Match& match, bool noun_b
   const std::size_t next = i_ + match.length;
   const bool top = next < tokens_.size() && one_of(tokens_[next].text, {"top", "tops", "surface", "base"}) &&
                    !(next + 1 < tokens_.size() && tokens_[next + 1].text == "of");  // "with a glass top"
+  if (const Meaning* things = attribute != nullptr && object == nullptr && !noun_before ? things_of_stuff(match) : nullptr;
+      things != nullptr)
+    return add(WordClass::kObject, *things, 1, true);
   if (attribute != nullptr && object != nullptr && match.length == 1 && !noun_before &&
       (noun_after(next) || top || has(lexicon_.find(tokens_, next), WordClass::kAbstract)))  // "a mustard accent"
     return add(attribute->word_class, *attribute, match.length, match.plural);
@@ -293,8 +297,17 @@ bool NounPhraseReader::read_unlisted() {
     ++i_;
     return true;
   }
-  if (lexicon_.find_phrase(tokens_, i_).length > 0 || (!is_named() && !bare_) || !word_may_belong()) return false;
+  if ((lexicon_.find_phrase(tokens_, i_).length > 0 && !counts_unlisted()) || (!is_named() && !bare_) || !word_may_belong()) return false;
   return add(WordClass::kFiller, {WordClass::kFiller, nullptr, nullptr, 0, {}}, 1, plural_at(i_));
+}
+
+// "four rings in the case": so many of them, and no verb, which would have something to go with.
+bool NounPhraseReader::counts_unlisted() const {
+  if (!parts_.empty() || phrase_.count < 2 || phrase_.vague || !plural_at(i_)) return false;
+  if (lexicon_.find_phrase(tokens_, i_).length != 1 || noun_form(token().text) != WordForm::kThing) return false;
+  const std::size_t next = i_ + 1;
+  return next >= tokens_.size() || tokens_[next].kind == Token::Kind::kPunctuation || lexicon_.is(tokens_[next], WordClass::kAnd) ||
+         lexicon_.is(tokens_[next], WordClass::kBe) || lexicon_.find_phrase(tokens_, next).length > 0;
 }
 
 void NounPhraseReader::read_parts() {

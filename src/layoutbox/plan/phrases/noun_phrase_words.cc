@@ -164,6 +164,9 @@ bool NounPhraseReader::ends_before(const Match& match) const {
   }
   const PhrasePart& last = parts_.back();
   if (verb && last.last == i_ && plural_at(i_ - 1) && !is_attribute_class(last.word_class)) return true;
+  // "in the case rest three coins": of one thing a verb would have its -s, so that what follows is its subject
+  const bool inverts = verb && last.last == i_ && has(match, WordClass::kAbstract) && opens_at(i_ + 1);
+  if (inverts && (tokens_[i_ + 1].kind == Token::Kind::kNumber || lexicon_.is(tokens_[i_ + 1], WordClass::kNumber))) return true;
   const std::size_t phrase = lexicon_.find_phrase(tokens_, i_).length;
   if (phrase > std::max<std::size_t>(match.length, 1)) return true;  // "two desks side by side": a place, no part of the name
   // "a VR rig positioned beside the door"

@@ -177,9 +177,11 @@ void Decoder::root_list_actions(std::size_t s, int u, double gain) {
     const double elsewhere = placed && placed_by_clause(state, u) ? weight::kPlacedByList : 0;
     const bool own_place =
         placed && !state.fronted.empty() && !(share > 0 && mount_of(noun) == Mount::kSurface) && !(share >= 0 && on_part_of_top(state, u));
+    const bool says_whose = noun.determiner == Determiner::kPossessive && word(u) == "its";  // "…, its stool in front"
     add(s, kNextRoot,
         gain + (agrees && !state.fronted.empty() ? weight::kAgrees : 0) + std::max(share, ends ? weight::kEndsList : -2.5) +
-            (own_place ? weight::kOwnPlace * (unit(u).joiner == Joiner::kComma ? 2 : 1) : 0) + elsewhere,
+            (own_place ? weight::kOwnPlace * (unit(u).joiner == Joiner::kComma || says_whose ? 2 : 1) : 0) +
+            (own_place && says_whose ? weight::kItsOwnPlace : 0) + elsewhere,
         state.frontier.front());
   }
   const double untold = of_clause || subject || placed ? 0 : told_nothing(u);
@@ -317,7 +319,8 @@ double Decoder::list_kind_score(const State& state, int member, int u, std::size
   const Joiner joiner = unit(u).joiner;
   if (lists_on_it(u) && !is_seat(lexicon_.catalog(), noun) && !is_seat(lexicon_.catalog(), former)) return weight::kCarriedToo;
   // What a table is surrounded by does not lie on it.
-  const bool around = read_as(state, predicate).inverse && mount_of(former) == Mount::kFloor && mount_of(noun) != Mount::kFloor;
+  const bool around = read_as(state, predicate).inverse && !carries_list(predicate) && mount_of(former) == Mount::kFloor &&
+                      mount_of(noun) != Mount::kFloor;
   const bool carried = !around && sense_.carries(host, noun) && !looked_at_elsewhere(host, noun) &&
                        !(sense_.on_soft(host, noun) && has_own_place(u)),
              before = sense_.carries(host, former);

@@ -39,7 +39,10 @@ double Decoder::attach_score(const State& state, int u, int level, bool inverse)
   // "turned towards a cello on its stand": the cello's
   if (nearer == 0 && unit(u).joiner == Joiner::kNone && names_own_carrier(u)) score += weight::kOwnCarrier;
   const bool floats = member + 1 == u && chunk(member).noun.kind == NounKind::kMember && chunk(member).noun.determiner == Determiner::kEach;
-  if (level > 0 && finite_place(u)) score += floats ? -weight::kFiniteRoot : weight::kFiniteRoot;  // "three chairs each face a mirror"
+  const std::optional<double> retold = level > 0 && finite_place(u) && member == state.told ? retold_score(state, u) : std::nullopt;
+  if (retold) score += *retold - weight::kLevelAfterComma * steps;
+  if (level > 0 && finite_place(u) && !retold)
+    score += floats ? -weight::kFiniteRoot : weight::kFiniteRoot;  // "three chairs each face a mirror"
   if (word(u) == "from" && level > 0) score += weight::kFromRoot;
   if (!inverse && hangs_twice(state, u, member)) score += weight::kPlacedTwice;
   if (!inverse && lies_twice(state, u, member)) score += weight::kLiesTwice;
@@ -293,11 +296,20 @@ void Decoder::relative_place_actions(std::size_t s, int u) {
   const bool again = unit(u).joiner == Joiner::kAnd || unit(u).joiner == Joiner::kCommaAnd;
   const Referent before = again ? meant_by_which_before(state, u) : kNobody;
   if (before >= 0) add(s, kFront, weight::kSameWhich, before, -1, before);
+  // "Above the mantel, on which three candlesticks stand, hangs a mirror"
+  const int by = state.frontier.empty() && state.fronted.size() == 1 && unit(u).joiner == Joiner::kComma ? state.fronted.front() + 1 : -1;
+  if (by >= 0 && !read_as(state, by - 1).alone && is_thing(state, by)) add(s, kFront, 1, by, -1, by);
   for (std::size_t f = state.frontier.size(); f-- > 0;) {
     const NounKind kind = noun_of(state, state.frontier[f]).kind;
     if (state.frontier[f] == before) continue;
+    // "a fireplace against the wall, above which a painting hangs": nothing is over a wall
+    const bool at_wall = one_of(word(u), {"on", "against", "along", "at", "upon", "in"});
+    // "a bench along the wall, on which jars stand": the bench
+    const bool of_thing = unit(u).joiner == Joiner::kComma && is_thing(state, state.frontier.front());
+    const double sense = kind != NounKind::kWall ? 0 : !at_wall ? weight::kNoReference : of_thing ? weight::kNotBeside : 0;
     if (is_thing(state, state.frontier[f]) || kind == NounKind::kWindow || kind == NounKind::kDoor || kind == NounKind::kWall)
-      add(s, kFront, -0.9 * nearer++ + weight::kTree * tree_.for_noun(u, state.frontier[f]), state.frontier[f], -1, state.frontier[f]);
+      add(s, kFront, sense - 0.9 * nearer++ + weight::kTree * tree_.for_noun(u, state.frontier[f]), state.frontier[f], -1,
+          state.frontier[f]);
   }
 }
 
