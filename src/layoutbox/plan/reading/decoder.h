@@ -172,12 +172,14 @@ class Decoder {
   bool stands_small(const NounPhrase& noun) const;
   bool may_come_with(const NounPhrase& host, const NounPhrase& noun) const;
   bool placed_by_unsaid(int u) const;
+  bool placed_by_it(int u) const;
   bool is_fresh(int u) const;
   bool hangs_twice(const State& state, int u, int member) const;
   double parallel_score(const State& state, int u, int member) const;
   Referent carrier_before(const State& state, int u) const;
   bool lies_twice(const State& state, int u, int member) const;
   bool names_own_carrier(int u) const;
+  bool lies_on_unplaced(const State& state, int u, int member) const;
   bool is_one_of_several(int u) const;
   bool nothing_nearer(const State& state, std::size_t level) const;
   Referent side_ahead(int u, const PhraseSenses& senses) const;

@@ -271,6 +271,8 @@ void Decoder::text_antecedents(const State& state, const PhraseSenses* senses, c
   const bool over = senses != nullptr && (says(*senses, RelationType::kAbove) || says(*senses, RelationType::kUnder));
   if (before_.fronted >= 0 && !lies && !over && state.roots.empty() && state.frontier.empty())
     trial(referent_of_mention(before_.fronted), 0, false);
+  // "On it lie a map and a pen; a lantern swings above": over what carries them
+  if (before_.fronted >= 0 && over && state.roots.size() <= 1) trial(referent_of_mention(before_.fronted), order + 1, false);
   if (before_.opening >= 0 && state.roots.empty()) trial(referent_of_mention(before_.opening), 0, false);  // "The door is …; next to it"
   // "a table is opposite the stove, and sacks are under the table. On it …": the table
   if (before_.again >= 0 && state.roots.empty()) trial(referent_of_mention(before_.again), order - weight::kNamedOnceMore, false);

@@ -236,7 +236,8 @@ double Decoder::content_list_score(const State& state, int member, int u) const 
   double score = closing_score(state, u, owner, host);
   bool ended = false;
   std::size_t length = 0;
-  for (int m = member; m >= 0; m = read_as(state, m).former, ++length) {
+  const bool apart = reading.placed && owner >= 0 && chunk(owner).noun.determiner == Determiner::kEach && placed_by_it(u);
+  for (int m = member; m >= 0 && !apart; m = read_as(state, m).former, ++length) {
     ended |= unit(m).joiner == Joiner::kAnd || unit(m).joiner == Joiner::kCommaAnd;
   }
   if (ended) score += weight::kListEnded;
@@ -245,13 +246,13 @@ double Decoder::content_list_score(const State& state, int member, int u) const 
   if (shares_article(noun, former)) score += joiner == Joiner::kAnd ? weight::kShareArticle : 0;
   const bool inverse = read_as(state, predicate).inverse;
   if (told_alike(predicate, u)) score += weight::kListEnded;
-  if (reading.placed && !inverse && goes_on_apart(host, noun, joiner)) score -= 2;
+  if (reading.placed && !inverse && !apart && goes_on_apart(host, noun, joiner)) score -= 2;
   if (noun.determiner == Determiner::kDefinite) score -= 1.5;
   if (owner == kNobody || host.kind != NounKind::kObject) return score + (host.kind == NounKind::kWall ? 0.5 : 0);
   score += list_kind_score(state, member, u, length);
   const bool trails = unit(predicate).joiner != Joiner::kNone && !carries_list(predicate);
   if (trails && mount_of(noun) == Mount::kFloor && !inverse) score -= 2;  // ", with …"
-  if (has_own_place(u)) score -= !sense_.carries(host, noun) ? 1.6 : joiner == Joiner::kAnd ? 0.6 : 1.4;
+  if (has_own_place(u) && !apart) score -= !sense_.carries(host, noun) ? 1.6 : joiner == Joiner::kAnd ? 0.6 : 1.4;
   if (joiner == Joiner::kAnd && lies_on_placed(u, host)) score -= weight::kSmallByPlace;
   score += each_has_score(state, member, u, owner);
   if (host.entry != nullptr && host.entry->thin) score -= 3;
@@ -276,6 +277,11 @@ bool Decoder::may_come_with(const NounPhrase& host, const NounPhrase& noun) cons
 // "a fireplace with a shelf on either side and a painting above": by the host as well.
 bool Decoder::placed_by_unsaid(int u) const {
   return follows(u, UnitKind::kPlace) && !alone_senses(u + 1).empty() && !follows(u + 1, UnitKind::kNoun);
+}
+
+// "each with a screen and a telephone on it and a chair behind it": by the host once more.
+bool Decoder::placed_by_it(int u) const {
+  return has_own_place(u) && chunk(u + 2).noun.head == "it" && unit(u).joiner == Joiner::kAnd;
 }
 
 // A TV is on no coffee table.

@@ -46,6 +46,7 @@ double Decoder::attach_score(const State& state, int u, int level, bool inverse)
   if (word(u) == "from" && level > 0) score += weight::kFromRoot;
   if (!inverse && hangs_twice(state, u, member)) score += weight::kPlacedTwice;
   if (!inverse && lies_twice(state, u, member)) score += weight::kLiesTwice;
+  if (!inverse && lies_on_unplaced(state, u, member)) score += weight::kSmallByPlace;
   if (!is_definite(state, member)) return score;
   if (inverse) return score + (is_thing(state, member) ? weight::kKnownHost : weight::kPlaceAsHost);
   if (member + 1 == u && unit(u).joiner == Joiner::kNone && is_one_of_several(member)) return score + weight::kTellsWhich;
@@ -108,6 +109,15 @@ bool Decoder::lies_twice(const State& state, int u, int member) const {
     if (on_thing(before) && place.subject == member && !place.inverse && !place.alone && is_thing(state, before + 1)) return true;
   }
   return false;
+}
+
+// "with a stool holding a candle and a book beside it": the stool has no place yet, and the book has one.
+bool Decoder::lies_on_unplaced(const State& state, int u, int member) const {
+  const Referent host = host_of(state, member);
+  if (!follows(u, UnitKind::kNoun) || chunk(u + 1).noun.head != "it" || unit(u).joiner != Joiner::kNone || !is_thing(state, host)) return false;
+  if (host < 0 || is_placed_apart(state, host) || read_as(state, host).role != NounRole::kContent) return false;
+  return carries_list(read_as(state, member).predicate) && mount_of(noun_of(state, member)) == Mount::kSurface &&
+         mount_of(noun_of(state, host)) == Mount::kFloor && !says(unit(u).direct, &RelationTraits::rests);
 }
 
 // "two bookshelves … the bookshelf nearest the door": what follows says which.

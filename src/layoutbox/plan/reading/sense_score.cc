@@ -92,7 +92,7 @@ double SenseScore::over(const NounPhrase& target, const NounPhrase& reference) c
   const bool in_room = reference.entry != nullptr && reference.entry->is(Trait::kTable) && !reference.entry->back_to_wall &&
                        reference.entry->used_sides.size() > 1;  // "a sideboard with a mirror above, a rug under the table"
   if (mount_of(target) == Mount::kWall && (narrow || small || in_room)) score += weight::kOverSeat;
-  if (mount_of(target) == Mount::kCeiling && small) score += weight::kNotBeside;  // over the table that carries it
+  if (mount_of(target) != Mount::kWall && small) score += weight::kNotBeside;  // "a lantern swings above": over the table that carries it
   // Seats and tables stand under things, not over them.
   const bool chest = one_of(target.head, WordSet::kNeverAbove);
   if (is_seat(catalog_, target) || chest || (is_table(catalog_, target) && mount_of(target) == Mount::kFloor)) score += weight::kUnlikely;
