@@ -217,7 +217,8 @@ class InsertReader {
 
   // "four banners hang on the side walls, two on each": how the walls share them.
   void read_share_of_walls(std::size_t k) {
-    if (!is(k, ChunkKind::kNoun) || !is(k + 1, ChunkKind::kComma) || !is(k + 2, ChunkKind::kNoun) || !is(k + 3, ChunkKind::kRelation)) return;
+    if (!is(k, ChunkKind::kNoun) || !is(k + 1, ChunkKind::kComma) || !is(k + 2, ChunkKind::kNoun) || !is(k + 3, ChunkKind::kRelation))
+      return;
     const NounPhrase &walls = chunks_[k].noun, &share = chunks_[k + 2].noun;
     const bool parts = (walls.kind == NounKind::kWall || walls.kind == NounKind::kCorner) && walls.is_plural();
     if (!parts || share.kind != NounKind::kMember || share.count == 0 || share.of || !is(k + 4, ChunkKind::kNoun)) return;

@@ -111,8 +111,9 @@ class LikewiseReader : public TokenReader {
 
   bool are_several(std::size_t first, std::size_t last) const {
     const bool one = lexicon_.is(tokens_[first], WordClass::kIndefinite);
-    const bool joined = std::any_of(tokens_.begin() + static_cast<std::ptrdiff_t>(first), tokens_.begin() + static_cast<std::ptrdiff_t>(last),
-                                    [&](const Token& token) { return lexicon_.is(token, WordClass::kAnd); });
+    const bool joined =
+        std::any_of(tokens_.begin() + static_cast<std::ptrdiff_t>(first), tokens_.begin() + static_cast<std::ptrdiff_t>(last),
+                    [&](const Token& token) { return lexicon_.is(token, WordClass::kAnd); });
     return joined || (!one && singular_of(tokens_[last - 1].text) != tokens_[last - 1].text);
   }
 
@@ -123,7 +124,8 @@ class LikewiseReader : public TokenReader {
     std::size_t things = end_of_things(i + 2);
     if (things == i + 2 && is(i + 1, {"does", "do"})) things = end_of_name(i + 2);
     std::size_t before = i;
-    while (before > 0 && (tokens_[before - 1].kind == Token::Kind::kPunctuation || lexicon_.is(tokens_[before - 1], WordClass::kAnd))) --before;
+    while (before > 0 && (tokens_[before - 1].kind == Token::Kind::kPunctuation || lexicon_.is(tokens_[before - 1], WordClass::kAnd)))
+      --before;
     const std::optional<Said> said = clause_before(before);
     if (things == i + 2 || !said) return false;
     leave_out(as ? i + 1 : i, i + 2);
@@ -139,11 +141,13 @@ class LikewiseReader : public TokenReader {
     const std::size_t last = is(i + 1, {"as", "so"}) ? i + 3 : i + 2;
     if (!ends(last)) return;
     std::size_t first = i;
-    while (first > 0 && i - first < kFar && tokens_[first - 1].kind == Token::Kind::kWord && !lexicon_.is(tokens_[first - 1], WordClass::kAnd))
+    while (first > 0 && i - first < kFar && tokens_[first - 1].kind == Token::Kind::kWord &&
+           !lexicon_.is(tokens_[first - 1], WordClass::kAnd))
       --first;
     if (!thing_named_at(first) || end_of_things(first) != i) return;
     std::size_t before = first;
-    while (before > 0 && (tokens_[before - 1].kind == Token::Kind::kPunctuation || lexicon_.is(tokens_[before - 1], WordClass::kAnd))) --before;
+    while (before > 0 && (tokens_[before - 1].kind == Token::Kind::kPunctuation || lexicon_.is(tokens_[before - 1], WordClass::kAnd)))
+      --before;
     const std::optional<Said> said = clause_before(before);
     if (!said) return;
     leave_out(i, last);

@@ -96,7 +96,8 @@ void Chunker::add_opening(NounKind kind, std::size_t end) {
 // "hard left on the right wall": whose wall is at that hand of who looks at the wall that is named next.
 std::string Chunker::wall_at_hand(std::string_view hand, std::size_t at) const {
   const bool left = hand == "left", named = at + 3 < tokens_.size() && one_of_words(tokens_[at], {"on", "at", "along", "against"}) &&
-                                            one_of_words(tokens_[at + 2], {"left", "right"}) && lexicon_.is(tokens_[at + 3], WordClass::kWall);
+                                            one_of_words(tokens_[at + 2], {"left", "right"}) &&
+                                            lexicon_.is(tokens_[at + 3], WordClass::kWall);
   if (!named || (!left && hand != "right")) return std::string(hand);
   return left == (tokens_[at + 2].text == "left") ? "front" : "back";
 }

@@ -280,36 +280,6 @@ bool NounPhraseReader::read_other(const Match& match, bool noun_before) {
   return false;
 }
 
-bool NounPhraseReader::read_unlisted() {
-  if (token().kind != Token::Kind::kWord) {
-    // "55-inch", "2-seater": one adjective.
-    if (token().kind == Token::Kind::kNumber && i_ + 1 < tokens_.size() && tokens_[i_ + 1].kind == Token::Kind::kWord &&
-        (hyphenated(i_ + 1) || says_seats(i_ + 1) || describes(i_)))
-      return add(WordClass::kQuality, {WordClass::kQuality, nullptr, nullptr, 0, {}}, 2, false);
-    return false;
-  }
-  // "five freshly rinsed prints": how, before what was done to it
-  const bool how = parts_.empty() && is_named() && token().text.ends_with("ly") && word_form(token().text) == WordForm::kAdverb &&
-                   i_ + 1 < tokens_.size() && tokens_[i_ + 1].kind == Token::Kind::kWord &&
-                   (tokens_[i_ + 1].text.ends_with("ed") || tokens_[i_ + 1].text.ends_with("ing") ||
-                    word_form(tokens_[i_ + 1].text) == WordForm::kAdjective);
-  if (how) {
-    ++i_;
-    return true;
-  }
-  if ((lexicon_.find_phrase(tokens_, i_).length > 0 && !counts_unlisted()) || (!is_named() && !bare_) || !word_may_belong()) return false;
-  return add(WordClass::kFiller, {WordClass::kFiller, nullptr, nullptr, 0, {}}, 1, plural_at(i_));
-}
-
-// "four rings in the case": so many of them, and no verb, which would have something to go with.
-bool NounPhraseReader::counts_unlisted() const {
-  if (!parts_.empty() || phrase_.count < 2 || phrase_.vague || !plural_at(i_)) return false;
-  if (lexicon_.find_phrase(tokens_, i_).length != 1 || noun_form(token().text) != WordForm::kThing) return false;
-  const std::size_t next = i_ + 1;
-  return next >= tokens_.size() || tokens_[next].kind == Token::Kind::kPunctuation || lexicon_.is(tokens_[next], WordClass::kAnd) ||
-         lexicon_.is(tokens_[next], WordClass::kBe) || lexicon_.find_phrase(tokens_, next).length > 0;
-}
-
 void NounPhraseReader::read_parts() {
   constexpr std::size_t kMostParts = 12;
   while (more() && parts_.size() < kMostParts && !done_) {

@@ -34,15 +34,15 @@ class Decoder {
   struct State {
     double score = 0;
     std::vector<UnitReading> units;
-    std::vector<int> frontier;  // nouns that may still be spoken of, the clause's own first
-    std::vector<int> fronted;   // places that wait for their things
+    std::vector<int> frontier;       // nouns that may still be spoken of, the clause's own first
+    std::vector<int> fronted;        // places that wait for their things
     std::vector<int> outer_fronted;  // "Above the mantel, on which …, hangs": the places whose thing is yet to come
-    std::vector<int> roots;     // of all clauses
-    int waiting = -1;           // the place or having whose noun comes next
-    int place = -1;             // the last place that was complete
-    int relative = -1;          // whom a relative clause speaks of
-    int told = -1;              // … whom the last one spoke of, which "and" may go on with
-    bool verb = false;          // the clause has its verb
+    std::vector<int> roots;          // of all clauses
+    int waiting = -1;                // the place or having whose noun comes next
+    int place = -1;                  // the last place that was complete
+    int relative = -1;               // whom a relative clause speaks of
+    int told = -1;                   // … whom the last one spoke of, which "and" may go on with
+    bool verb = false;               // the clause has its verb
     bool imperative = false;
     bool participle = false;  // since the last noun
     bool room_list = false;   // the clause lists what the room has
@@ -179,6 +179,7 @@ class Decoder {
   Referent carrier_before(const State& state, int u) const;
   bool lies_twice(const State& state, int u, int member) const;
   bool names_own_carrier(int u) const;
+  bool stands_otherwise(const State& state, int u, int member) const;
   bool lies_on_unplaced(const State& state, int u, int member) const;
   bool is_one_of_several(int u) const;
   bool nothing_nearer(const State& state, std::size_t level) const;

@@ -115,7 +115,8 @@ double Decoder::standing_score(const State& state, Referent referent, Referent s
   // What lies on the floor or on something else is seldom what one places things by.
   if (mount_of(target) == Mount::kFloor && !stands(meant)) score -= 0.8;
   // "A bar lies on the rack, and weights lean against it": against the rack
-  if (mount_of(target) == Mount::kFloor && !lies && mount_of(meant) == Mount::kSurface && is_carried(state, referent)) score += weight::kNotBeside;
+  if (mount_of(target) == Mount::kFloor && !lies && mount_of(meant) == Mount::kSurface && is_carried(state, referent))
+    score += weight::kNotBeside;
   // "a sofa, over which a map hangs, …; a table in front of it": of the sofa.
   const bool before = says(senses, RelationType::kInFrontOf) || says(senses, RelationType::kBehind);
   const bool looked_into = meant.entry != nullptr && meant.entry->is(Trait::kMirror);
@@ -156,7 +157,8 @@ bool Decoder::is_carried(const State& state, Referent referent) const {
     const std::vector<int>& items = mention(mention_of(referent)).items;
     const auto is_it = [&](int target) { return mention(target).items == items; };
     return std::ranges::any_of(document_.links, [&](const Link& link) {
-      const bool on_thing = std::ranges::any_of(link.references, [&](int by) { return !mention(by).items.empty(); });  // not "in the corner"
+      const bool on_thing =
+          std::ranges::any_of(link.references, [&](int by) { return !mention(by).items.empty(); });  // not "in the corner"
       const bool lies = on_thing && (link.kind == Link::Kind::kHave || says(link.senses, &RelationTraits::rests));
       return lies && std::ranges::any_of(link.targets, is_it);
     });

@@ -83,6 +83,9 @@ bool Decoder::consider(std::vector<Candidate>& all, const State& state, Referent
   const bool between = senses != nullptr && says(*senses, RelationType::kBetween);
   if (subject >= 0 && referent >= 0 && (between || mount_of(meant) == Mount::kSurface) && host_of(state, referent) == subject) return false;
   if (subject >= 0 && referent >= 0 && lies_on(state, referent, subject)) return false;  // "an apron is on a hook near it"
+  // "a camera on a tripod faces it"
+  if (subject >= 0 && referent >= 0 && senses != nullptr && !says(*senses, &RelationTraits::rests) && lies_on(state, subject, referent))
+    return false;
   // Nothing stands between itself, or what has it, and something else.
   const Referent host = subject >= 0 ? host_of(state, subject) : kNobody;
   for (int m = list ? referent : -1; m >= 0; m = read_as(state, m).former) {

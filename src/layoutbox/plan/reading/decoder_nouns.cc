@@ -269,7 +269,8 @@ double Decoder::habit_score(const State& state, int place, Referent subject, Ref
   const bool apart = unit(place).joiner != Joiner::kNone || state.participle || chunk(place).placing;
   if (apart) return score;
   const bool beside = std::ranges::any_of(senses, [](const PhraseSense& sense) {
-    return sense.type == RelationType::kBetween || sense.type == RelationType::kOpposite || stands_beside(sense.type);
+    return sense.type == RelationType::kBetween || sense.type == RelationType::kOpposite || sense.type == RelationType::kAtHeadOf ||
+           sense.type == RelationType::kAtFootOf || stands_beside(sense.type);
   });
   // "a bench with three cushions beneath a row of hooks": the bench
   const bool below = says(senses, RelationType::kUnder) && mount_of(target) == Mount::kSurface && by.kind == NounKind::kObject &&

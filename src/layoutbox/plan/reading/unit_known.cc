@@ -42,8 +42,8 @@ bool UnitReader::is_thing_in_company(std::size_t k) const {
   const bool compound = noun.last > noun.first + 2 && noun_form(noun.head) == WordForm::kThing && noun.attributes.empty() &&
                         noun.name.find(' ') != noun.name.rfind(' ');
   // "a palette and a jar are on the trolley": what is a thing as well, among things
-  const bool thing_too =
-      noun.last == noun.first + 2 && word_form(noun.head) == WordForm::kThing && (lists_on_thing(k) || is_told_where(k) || is_content_of_thing());
+  const bool thing_too = noun.last == noun.first + 2 && word_form(noun.head) == WordForm::kThing &&
+                         (lists_on_thing(k) || is_told_where(k) || is_content_of_thing());
   if (noun.kind != NounKind::kAbstract || !(noun.doubted || compound || thing_too) || !anew || noun.of ||
       noun.name.find(" of ") != std::string::npos)
     return false;
