@@ -1,5 +1,6 @@
 // The offline planner: text → tokens → chunks → mentions, items and links → scene.
 #include <algorithm>
+#include <cctype>
 #include <map>
 
 #include "layoutbox/base/utf8.h"
@@ -21,6 +22,7 @@
 #include "layoutbox/plan/relations/zones.h"
 #include "layoutbox/plan/room/room_reader.h"
 #include "layoutbox/plan/room/slopes.h"
+#include "layoutbox/plan/words/american_spelling.h"
 #include "layoutbox/plan/words/spelling.h"
 
 namespace layoutbox {
@@ -154,6 +156,21 @@ class OfflinePlanner final : public Planner {
     return readings;
   }
 
+  // "a plough": its name is spelt as the text has it, whatever the lists have.
+  static std::string as_spelt(const Document& document, const NounPhrase& noun) {
+    std::string name = noun.name;
+    for (std::size_t i = noun.first; i < noun.last && i < document.tokens.size(); ++i) {
+      const Token& token = document.tokens[i];
+      if (token.kind != Token::Kind::kWord || token.begin >= token.end || token.end > document.prompt.size()) continue;
+      std::string said = document.prompt.substr(token.begin, token.end - token.begin);
+      std::ranges::transform(said, said.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+      if (said == token.text || american_spelling(said) != token.text) continue;
+      const std::string listed = singular_of(token.text), spelt = singular_of(said);
+      if (const std::size_t at = name.find(listed); at != std::string::npos) name.replace(at, listed.size(), spelt);
+    }
+    return name;
+  }
+
   void build_objects(Document& document, SceneGraph& scene) const {
     std::map<std::string, int> numbers;
     std::map<int, int> of_group, so_far;
@@ -163,7 +180,7 @@ class OfflinePlanner final : public Planner {
       const int rank = so_far[item.group]++;
       SceneObject object;
       object.category = !item.noun.category.empty() ? item.noun.category : snake_case(item.noun.head);
-      object.name = item.noun.name;
+      object.name = as_spelt(document, item.noun);
       object.attributes = item.noun.attributes;
       object.id = object.category + "_" + std::to_string(++numbers[object.category]);
       object.origin = item.concluded || (item.noun.filling && rank >= kCertain) ? Origin::kConcluded : Origin::kAsked;

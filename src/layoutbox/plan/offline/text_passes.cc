@@ -15,6 +15,7 @@
 #include "layoutbox/plan/passes/inserts.h"
 #include "layoutbox/plan/passes/inventory.h"
 #include "layoutbox/plan/passes/labels.h"
+#include "layoutbox/plan/passes/likewise.h"
 #include "layoutbox/plan/passes/owners.h"
 #include "layoutbox/plan/passes/purposes.h"
 #include "layoutbox/plan/passes/relatives.h"
@@ -43,6 +44,8 @@ constexpr WordPass kWordPasses[] = {
      "Her bed is on the left wall, his bed is on the right wall."},
     {"runs", part_runs, "A bedroom with a bed desk wardrobe.", "A bedroom with a bed, a desk and a wardrobe."},
     {"examples", read_examples, "On the table are three objects: a bowl, a cup and a vase.", "On the table are a bowl, a cup and a vase."},
+    {"likewise", read_likewise, "A workshop. A lathe stands against the wall, and so does a drill press.",
+     "A workshop. A lathe stands against the wall, and a drill press stands against the wall."},
     {"wall lists", complete_wall_lists, "Bookcases on the left and right walls.", "Bookcases on the left wall and the right wall."},
     {"halves", read_halves, "A room with a bed and a desk. The left half is for the desk.",
      "A room with a bed and a desk. The desk is in the left half."},

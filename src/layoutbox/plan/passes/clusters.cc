@@ -187,4 +187,23 @@ void settle_clusters(const Lexicon& lexicon, Document& document) {
   }
 }
 
+void settle_grid_counts(Document& document) {
+  constexpr int kMost = 200;
+  NounPhrase* things = nullptr;
+  for (Chunk& chunk : document.chunks) {
+    if (chunk.kind == ChunkKind::kStop) things = nullptr;
+    if (is_thing(chunk)) things = &chunk.noun;
+    if (things == nullptr || chunk.rows <= 0) continue;
+    const bool for_some = std::ranges::any_of(document.chunks, [](const Chunk& c) { return c.kind == ChunkKind::kPurpose; });
+    if (chunk.columns <= 0 && !for_some && chunk.rows <= kMost && things->plural && things->count == 0 &&
+        things->determiner == Determiner::kNone && chunk.rows > 1) {  // "pews in three rows": two or more in each
+      things->count = 2 * chunk.rows;
+      things->vague = true;
+    }
+    if (chunk.columns <= 0) continue;
+    const bool uncounted = things->plural && things->count == 0 && things->determiner == Determiner::kNone;
+    if (uncounted && chunk.rows <= kMost && chunk.columns <= kMost) things->count = std::min(chunk.rows * chunk.columns, kMost);
+  }
+}
+
 }  // namespace layoutbox::offline

@@ -298,18 +298,6 @@ void settle_for_each(const Lexicon& lexicon, Document& document) {
   }
 }
 
-void settle_grid_counts(Document& document) {
-  constexpr int kMost = 200;
-  NounPhrase* things = nullptr;
-  for (Chunk& chunk : document.chunks) {
-    if (chunk.kind == ChunkKind::kStop) things = nullptr;
-    if (is_thing(chunk)) things = &chunk.noun;
-    if (things == nullptr || chunk.rows <= 0 || chunk.columns <= 0) continue;
-    const bool uncounted = things->plural && things->count == 0 && things->determiner == Determiner::kNone;
-    if (uncounted && chunk.rows <= kMost && chunk.columns <= kMost) things->count = std::min(chunk.rows * chunk.columns, kMost);
-  }
-}
-
 void settle_forward_counts(Document& document) {
   constexpr std::size_t kNearby = 200;  // chunks that are looked at either way
   std::vector<Chunk>& chunks = document.chunks;

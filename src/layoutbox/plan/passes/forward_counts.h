@@ -12,9 +12,6 @@ void settle_forward_counts(Document& document);
 // "Both sofas have cushions. There are two sofas.": how many "both" or "the two rows of" are, where only a later mention brings them in.
 void settle_forward_wholes(const Lexicon& lexicon, Document& document);
 
-// "desks for two in four rows of three": so many make the rows.
-void settle_grid_counts(Document& document);
-
 // "8 beds as bunks": four bunk beds.
 void settle_bunks(const Lexicon& lexicon, Document& document);
 

@@ -31,6 +31,7 @@ class InsertReader {
       read_perfect(k);
       read_place_has(k);
       read_place_between(k);
+      read_share_of_walls(k);
     }
   }
 
@@ -226,6 +227,19 @@ class InsertReader {
     if (!is(has, ChunkKind::kHave) || !is_thing(has + 1) || (has == after && after == k + 1)) return;
     if (one_of(word(has), {"has", "have", "gets", "get", "holds", "had", "keeps", "keep", "kept", "stores", "stored"}))
       pass_over(after, has + 1, "there");
+  }
+
+  // "four banners hang on the side walls, two on each": how the walls share them.
+  void read_share_of_walls(std::size_t k) {
+    if (!is(k, ChunkKind::kNoun) || !is(k + 1, ChunkKind::kComma) || !is(k + 2, ChunkKind::kNoun) || !is(k + 3, ChunkKind::kRelation))
+      return;
+    const NounPhrase &walls = chunks_[k].noun, &share = chunks_[k + 2].noun;
+    const bool parts = (walls.kind == NounKind::kWall || walls.kind == NounKind::kCorner) && walls.is_plural();
+    if (!parts || share.kind != NounKind::kMember || share.count == 0 || share.of || !is(k + 4, ChunkKind::kNoun)) return;
+    const NounPhrase& each = chunks_[k + 4].noun;
+    const bool of_each = each.determiner == Determiner::kEach && !each.of && (each.kind == NounKind::kMember || each.kind == walls.kind);
+    if (!of_each || !one_of(word(k + 3), {"on", "in", "at", "along", "against", "per"})) return;
+    pass_over(k + 1, k + 5, "how many at each");
   }
 
   // "a desk with a lamp and, next to the desk, the old cabinet": the place is the cabinet's.

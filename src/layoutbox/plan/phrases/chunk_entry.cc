@@ -93,6 +93,15 @@ void Chunker::add_opening(NounKind kind, std::size_t end) {
   add(ChunkKind::kNoun, end - i_).noun = std::move(opening);
 }
 
+// "hard left on the right wall": whose wall is at that hand of who looks at the wall that is named next.
+std::string Chunker::wall_at_hand(std::string_view hand, std::size_t at) const {
+  const bool left = hand == "left", named = at + 3 < tokens_.size() && one_of_words(tokens_[at], {"on", "at", "along", "against"}) &&
+                                            one_of_words(tokens_[at + 2], {"left", "right"}) &&
+                                            lexicon_.is(tokens_[at + 3], WordClass::kWall);
+  if (!named || (!left && hand != "right")) return std::string(hand);
+  return left == (tokens_[at + 2].text == "left") ? "front" : "back";
+}
+
 // "the bed flush left", "hard right", "a shelf tight to the left": against that wall.
 bool Chunker::read_flush() {
   const ChunkKind before = previous();
@@ -111,7 +120,7 @@ bool Chunker::read_flush() {
   NounPhrase wall;
   wall.kind = NounKind::kWall;
   wall.determiner = Determiner::kDefinite;
-  wall.wall_word = meaning_of(which, WordClass::kWallWord)->word;
+  wall.wall_word = wall_at_hand(meaning_of(which, WordClass::kWallWord)->word, end);
   wall.head = "wall";
   wall.name = wall.wall_word + " wall";
   wall.first = i_;

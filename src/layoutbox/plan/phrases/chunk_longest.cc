@@ -21,7 +21,10 @@ bool is_participle_form(std::string_view word) {
 Chunker::Choice Chunker::longest(const PhraseMatch& phrase, std::size_t without) const {
   const ChunkKind before = previous();
   const bool after_noun = before == ChunkKind::kNoun || before == ChunkKind::kRelation;
-  const std::size_t filler = length_of(WordClass::kFiller);
+  // "in all four corners", not "six in all"
+  const bool in_all = tokens_[i_].text == "in" && i_ + 2 < tokens_.size() && tokens_[i_ + 1].text == "all" &&
+                      tokens_[i_ + 2].kind == Token::Kind::kWord && !lexicon_.is(tokens_[i_ + 2], WordClass::kAnd);
+  const std::size_t filler = in_all ? 0 : length_of(WordClass::kFiller);
   const std::array<Choice, 13> choices = {{
       {ChunkKind::kIgnored, filler > 1 ? filler : 0},  // "six in all", "three should do"
       {ChunkKind::kCommand, clause_begins() && !is_picture() && set_after_noun() == 0 ? length_of(WordClass::kCommand) : 0},

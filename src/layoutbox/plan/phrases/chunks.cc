@@ -5,6 +5,7 @@
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/plan/phrases/chunks_parts.h"
+#include "layoutbox/plan/phrases/knowledge.h"
 #include "layoutbox/plan/words/english.h"
 #include "layoutbox/plan/words/word_sets.h"
 
@@ -210,6 +211,7 @@ std::size_t Chunker::be_length() const {
     // A relation phrase that begins with the participle ("is flanked by", "is centered on") is left to be read as one.
     const PhraseMatch phrase = lexicon_.find_phrase(tokens_, at);
     if (lexicon_.find(tokens_, at, WordClass::kHave).length > 1) break;
+    if (phrase.length == 1 && says(*phrase.senses, RelationType::kStacked)) break;  // "are stacked in the corner"
     if (phrase.length > 1 || (phrase.length == 1 && !lexicon_.is(tokens_[at], WordClass::kParticiple))) break;
     const std::size_t more =
         std::max({lexicon_.find(tokens_, at, WordClass::kParticiple).length, lexicon_.find(tokens_, at, WordClass::kHang).length,

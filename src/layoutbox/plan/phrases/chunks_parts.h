@@ -84,6 +84,7 @@ class Chunker {
   void add_opening(NounKind kind, std::size_t end);
   bool read_entering();
   bool read_flush();
+  std::string wall_at_hand(std::string_view hand, std::size_t at) const;
   static void mean_hand(Chunk& place);
   bool read_leave_out();
   bool read_that_may();

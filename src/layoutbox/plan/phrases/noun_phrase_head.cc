@@ -155,7 +155,10 @@ bool NounPhraseReader::is_thing_by_name(std::size_t head) const {
 bool NounPhraseReader::is_namesake(std::size_t head) const {
   const PhrasePart& part = parts_[head];
   const std::string& word = tokens_[part.first].text;
-  if (part.word_class != WordClass::kColor || part.last != part.first + 1 || word_form(word) == WordForm::kAdjective) return false;
+  const bool stuff = part.word_class == WordClass::kMaterial;  // "a cloth over the rail", "a slate on the wall"
+  if ((part.word_class != WordClass::kColor && !stuff) || part.last != part.first + 1 || word_form(word) == WordForm::kAdjective)
+    return false;
+  if (stuff && !one_of(word, WordSet::kNamedAsStuff)) return false;
   if (phrase_.determiner != Determiner::kIndefinite && !(counted_ && phrase_.count > 1)) return false;
   const bool told = phrase_.first > 0 && one_of(tokens_[phrase_.first - 1].text, {"in", "painted", "of", "is", "are"});
   const WordForm form = noun_form(word);

@@ -128,6 +128,8 @@ class NounPhraseReader {
   bool read_listed(const Match& match, bool noun_before);
   bool opens_text(std::size_t after) const;
   std::optional<bool> read_thing(const Match& match, bool noun_before, bool verbal);
+  const Meaning* things_of_stuff(const Match& match) const;
+  bool counts_unlisted() const;
   std::optional<bool> read_place(const Match& match, bool noun_before, bool verbal);
   bool counts_thing(std::size_t at) const;
   bool read_other(const Match& match, bool noun_before);
@@ -148,6 +150,7 @@ class NounPhraseReader {
   bool is_rare_thing(const PhrasePart& part, std::size_t head) const;
   bool has_telling_head(const PhrasePart& part, std::size_t head) const;
   const CatalogEntry* stall_of(const PhrasePart& part) const;
+  const CatalogEntry* cupboard_of(const PhrasePart& part) const;
   bool may_be_thing(const PhrasePart& part, std::size_t head) const;
   bool follows_unknown_word(std::size_t head) const;
   bool is_compound(std::size_t head) const;

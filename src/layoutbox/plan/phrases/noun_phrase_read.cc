@@ -37,8 +37,9 @@ bool NounPhraseReader::names_after_one(const Match& match) const {
   if (match.length != 1 || parts_.empty() || parts_.back().last != i_ || parts_.back().plural || has(match, WordClass::kParticiple))
     return false;
   const std::string& named = tokens_[i_ - 1].text;  // "a truing stand", "a wig stand"
-  const bool noun = parts_.back().word_class == WordClass::kObject ||
-                    (parts_.back().word_class == WordClass::kFiller && (named.ends_with("ing") || is_noun(word_form(named))));
+  const WordClass before_it = parts_.back().word_class;
+  const bool noun = before_it == WordClass::kObject || before_it == WordClass::kRoom || before_it == WordClass::kAbstract ||
+                    (before_it == WordClass::kFiller && (named.ends_with("ing") || is_noun(word_form(named))));
   // "; thurible stand, in a corner"
   const bool item = phrase_.determiner == Determiner::kNone && bare_ && phrase_.first > 0 && tokens_[phrase_.first - 1].ends_sentence;
   const bool told = phrase_.determiner == Determiner::kDefinite &&
@@ -143,6 +144,9 @@ std::optional<bool> NounPhraseReader::read_thing(const Match& match, bool noun_b
   const std::size_t next = i_ + match.length;
   const bool top = next < tokens_.size() && one_of(tokens_[next].text, {"top", "tops", "surface", "base"}) &&
                    !(next + 1 < tokens_.size() && tokens_[next + 1].text == "of");  // "with a glass top"
+  if (const Meaning* things = attribute != nullptr && object == nullptr && !noun_before ? things_of_stuff(match) : nullptr;
+      things != nullptr)
+    return add(WordClass::kObject, *things, 1, true);
   if (attribute != nullptr && object != nullptr && match.length == 1 && !noun_before &&
       (noun_after(next) || top || has(lexicon_.find(tokens_, next), WordClass::kAbstract)))  // "a mustard accent"
     return add(attribute->word_class, *attribute, match.length, match.plural);
@@ -274,27 +278,6 @@ bool NounPhraseReader::read_other(const Match& match, bool noun_before) {
     return true;
   }
   return false;
-}
-
-bool NounPhraseReader::read_unlisted() {
-  if (token().kind != Token::Kind::kWord) {
-    // "55-inch", "2-seater": one adjective.
-    if (token().kind == Token::Kind::kNumber && i_ + 1 < tokens_.size() && tokens_[i_ + 1].kind == Token::Kind::kWord &&
-        (hyphenated(i_ + 1) || says_seats(i_ + 1) || describes(i_)))
-      return add(WordClass::kQuality, {WordClass::kQuality, nullptr, nullptr, 0, {}}, 2, false);
-    return false;
-  }
-  // "five freshly rinsed prints": how, before what was done to it
-  const bool how = parts_.empty() && is_named() && token().text.ends_with("ly") && word_form(token().text) == WordForm::kAdverb &&
-                   i_ + 1 < tokens_.size() && tokens_[i_ + 1].kind == Token::Kind::kWord &&
-                   (tokens_[i_ + 1].text.ends_with("ed") || tokens_[i_ + 1].text.ends_with("ing") ||
-                    word_form(tokens_[i_ + 1].text) == WordForm::kAdjective);
-  if (how) {
-    ++i_;
-    return true;
-  }
-  if (lexicon_.find_phrase(tokens_, i_).length > 0 || (!is_named() && !bare_) || !word_may_belong()) return false;
-  return add(WordClass::kFiller, {WordClass::kFiller, nullptr, nullptr, 0, {}}, 1, plural_at(i_));
 }
 
 void NounPhraseReader::read_parts() {

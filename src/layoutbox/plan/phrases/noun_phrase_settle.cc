@@ -164,6 +164,16 @@ bool NounPhraseReader::counts_things(const PhrasePart& part) const {
          noun_form(tokens_[part.first].text) == WordForm::kThing;
 }
 
+// "a kitchen … a pantry stands next to the window": a cabinet, where another room was named before. Null: a room.
+const CatalogEntry* NounPhraseReader::cupboard_of(const PhrasePart& part) const {
+  if (part.last != part.first + 1 || !one_of(singular_of(tokens_[part.first].text), {"pantry", "larder"})) return nullptr;
+  if (phrase_.determiner == Determiner::kNone) return nullptr;
+  bool room = false;
+  for (std::size_t i = 0; i < phrase_.first && !room; ++i)
+    room = has(lexicon_.find(tokens_, i), WordClass::kRoom) && singular_of(tokens_[i].text) != singular_of(tokens_[part.first].text);
+  return room ? lexicon_.catalog().find("pantry_cabinet") : nullptr;
+}
+
 // "two fitting rooms at the back" of a shop: stalls in the room, where the catalogue has such a booth. Null: a room.
 const CatalogEntry* NounPhraseReader::stall_of(const PhrasePart& part) const {
   constexpr std::size_t kOpening = 3;  // "a fitting room with …" is what the text is about
@@ -172,7 +182,7 @@ const CatalogEntry* NounPhraseReader::stall_of(const PhrasePart& part) const {
                             singular_of(tokens_[part.last - 1].text) + " booth";
   const CatalogEntry* entry = lexicon_.catalog().find_by_words(words);
   const bool called = entry != nullptr && std::ranges::find(entry->synonyms, words) != entry->synonyms.end();
-  return called ? entry : nullptr;
+  return called ? entry : cupboard_of(part);
 }
 
 // "a palette", "a feng shui piece": what the lists call no thing may be one among things (UnitReader::is_thing_in_company).

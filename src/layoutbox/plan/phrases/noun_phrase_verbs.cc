@@ -85,6 +85,17 @@ bool NounPhraseReader::ends_in_plural_verb(std::size_t head) const {
   return object && may_be_verb(tokens_[last.first].text);
 }
 
+// "Planks lean against the wall", "three planks": the things themselves, though floors are called so; null: what something is made of.
+const Meaning* NounPhraseReader::things_of_stuff(const Match& match) const {
+  const std::size_t next = i_ + match.length;
+  if (match.length != 1 || !plural_at(i_) || next >= tokens_.size() || noun_after(next)) return nullptr;
+  const bool acts = lexicon_.is(tokens_[next], WordClass::kPlaceVerb) || lexicon_.is(tokens_[next], WordClass::kHang);
+  if (!(counted_ && phrase_.count > 1) && !(acts && !lexicon_.is(tokens_[next], WordClass::kBe))) return nullptr;
+  Token single = token();
+  single.text = singular_of(single.text);
+  return meaning_of(lexicon_.find({&single, 1}, 0), WordClass::kObject);
+}
+
 // "the wardrobe or a bookcase can divide the room", "seven guests can eat at the counter": what they may do, and no tin.
 bool NounPhraseReader::ends_in_can(std::size_t head) const {
   if (head < 2 || parts_[head - 1].last != parts_[head - 1].first + 1 || tokens_[parts_[head - 1].first].text != "can") return false;

@@ -147,6 +147,36 @@ Match NounPhraseReader::without_attribute(const Match& match) const {
   return has(after, WordClass::kObject) && after.length >= match.length ? first : match;
 }
 
+bool NounPhraseReader::read_unlisted() {
+  if (token().kind != Token::Kind::kWord) {
+    // "55-inch", "2-seater": one adjective.
+    if (token().kind == Token::Kind::kNumber && i_ + 1 < tokens_.size() && tokens_[i_ + 1].kind == Token::Kind::kWord &&
+        (hyphenated(i_ + 1) || says_seats(i_ + 1) || describes(i_)))
+      return add(WordClass::kQuality, {WordClass::kQuality, nullptr, nullptr, 0, {}}, 2, false);
+    return false;
+  }
+  // "five freshly rinsed prints": how, before what was done to it
+  const bool how = parts_.empty() && is_named() && token().text.ends_with("ly") && word_form(token().text) == WordForm::kAdverb &&
+                   i_ + 1 < tokens_.size() && tokens_[i_ + 1].kind == Token::Kind::kWord &&
+                   (tokens_[i_ + 1].text.ends_with("ed") || tokens_[i_ + 1].text.ends_with("ing") ||
+                    word_form(tokens_[i_ + 1].text) == WordForm::kAdjective);
+  if (how) {
+    ++i_;
+    return true;
+  }
+  if ((lexicon_.find_phrase(tokens_, i_).length > 0 && !counts_unlisted()) || (!is_named() && !bare_) || !word_may_belong()) return false;
+  return add(WordClass::kFiller, {WordClass::kFiller, nullptr, nullptr, 0, {}}, 1, plural_at(i_));
+}
+
+// "four rings in the case": so many of them, and no verb, which would have something to go with.
+bool NounPhraseReader::counts_unlisted() const {
+  if (!parts_.empty() || phrase_.count < 2 || phrase_.vague || !plural_at(i_)) return false;
+  if (lexicon_.find_phrase(tokens_, i_).length != 1 || noun_form(token().text) != WordForm::kThing) return false;
+  const std::size_t next = i_ + 1;
+  return next >= tokens_.size() || tokens_[next].kind == Token::Kind::kPunctuation || lexicon_.is(tokens_[next], WordClass::kAnd) ||
+         lexicon_.is(tokens_[next], WordClass::kBe) || lexicon_.find_phrase(tokens_, next).length > 0;
+}
+
 // Whether the name ends before what is at hand: a verb, a place, somebody who does something.
 bool NounPhraseReader::ends_before(const Match& match) const {
   // "both stand", "all sit": the verb.
@@ -164,6 +194,9 @@ bool NounPhraseReader::ends_before(const Match& match) const {
   }
   const PhrasePart& last = parts_.back();
   if (verb && last.last == i_ && plural_at(i_ - 1) && !is_attribute_class(last.word_class)) return true;
+  // "in the case rest three coins": of one thing a verb would have its -s, so that what follows is its subject
+  const bool inverts = verb && last.last == i_ && has(match, WordClass::kAbstract) && opens_at(i_ + 1);
+  if (inverts && (tokens_[i_ + 1].kind == Token::Kind::kNumber || lexicon_.is(tokens_[i_ + 1], WordClass::kNumber))) return true;
   const std::size_t phrase = lexicon_.find_phrase(tokens_, i_).length;
   if (phrase > std::max<std::size_t>(match.length, 1)) return true;  // "two desks side by side": a place, no part of the name
   // "a VR rig positioned beside the door"

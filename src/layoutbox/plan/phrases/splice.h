@@ -54,7 +54,8 @@ inline void splice(Document& document, std::vector<bool>& skip, std::vector<Spli
   std::vector<Token> tokens;
   std::vector<WordReading> readings;
   std::vector<bool> skipped;
-  for (std::size_t i = 0, next = 0; i < document.tokens.size(); ++i) {
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < document.tokens.size(); ++i) {
     for (; next < splices.size() && splices[next].at == i; ++next) {
       Token& token = splices[next].token;
       token.begin = token.end = document.tokens[i].begin;
@@ -65,6 +66,13 @@ inline void splice(Document& document, std::vector<bool>& skip, std::vector<Spli
     tokens.push_back(std::move(document.tokens[i]));
     readings.push_back(std::move(document.readings[i]));
     skipped.push_back(skip[i]);
+  }
+  for (; next < splices.size(); ++next) {
+    Token& token = splices[next].token;
+    token.begin = token.end = tokens.empty() ? 0 : tokens.back().end;
+    readings.push_back({token.begin, token.end, WordReading::Use::kIgnored, {}});
+    tokens.push_back(std::move(token));
+    skipped.push_back(false);
   }
   document.tokens = std::move(tokens);
   document.readings = std::move(readings);

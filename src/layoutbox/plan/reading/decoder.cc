@@ -83,7 +83,7 @@ void Decoder::add(std::size_t s, Kind kind, double gain, int unit, int first, Re
 void Decoder::begin_clause(State& state) const {
   state.frontier.clear();
   state.fronted.clear();
-  state.waiting = state.relative = state.first_subject = state.inverted = state.where = -1;
+  state.waiting = state.relative = state.told = state.first_subject = state.inverted = state.where = -1;
   state.verb = state.imperative = state.participle = false;
 }
 

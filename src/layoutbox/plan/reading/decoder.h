@@ -34,13 +34,15 @@ class Decoder {
   struct State {
     double score = 0;
     std::vector<UnitReading> units;
-    std::vector<int> frontier;  // nouns that may still be spoken of, the clause's own first
-    std::vector<int> fronted;   // places that wait for their things
-    std::vector<int> roots;     // of all clauses
-    int waiting = -1;           // the place or having whose noun comes next
-    int place = -1;             // the last place that was complete
-    int relative = -1;          // whom a relative clause speaks of
-    bool verb = false;          // the clause has its verb
+    std::vector<int> frontier;       // nouns that may still be spoken of, the clause's own first
+    std::vector<int> fronted;        // places that wait for their things
+    std::vector<int> outer_fronted;  // "Above the mantel, on which …, hangs": the places whose thing is yet to come
+    std::vector<int> roots;          // of all clauses
+    int waiting = -1;                // the place or having whose noun comes next
+    int place = -1;                  // the last place that was complete
+    int relative = -1;               // whom a relative clause speaks of
+    int told = -1;                   // … whom the last one spoke of, which "and" may go on with
+    bool verb = false;               // the clause has its verb
     bool imperative = false;
     bool participle = false;  // since the last noun
     bool room_list = false;   // the clause lists what the room has
@@ -126,6 +128,7 @@ class Decoder {
   bool is_told_by_itself(const State& state, int member) const;
   bool is_placed_apart(const State& state, int member) const;
   int first_of_plural(const State& state, int last) const;
+  std::optional<double> retold_score(const State& state, int u) const;
   void verb_actions(std::size_t s, int u);
   void relative_actions(std::size_t s, int u);
   void add(std::size_t s, Kind kind, double gain, int unit = -1, int first = -1, Referent meant = kNobody, bool list = false);
@@ -169,12 +172,15 @@ class Decoder {
   bool stands_small(const NounPhrase& noun) const;
   bool may_come_with(const NounPhrase& host, const NounPhrase& noun) const;
   bool placed_by_unsaid(int u) const;
+  bool placed_by_it(int u) const;
   bool is_fresh(int u) const;
   bool hangs_twice(const State& state, int u, int member) const;
   double parallel_score(const State& state, int u, int member) const;
   Referent carrier_before(const State& state, int u) const;
   bool lies_twice(const State& state, int u, int member) const;
   bool names_own_carrier(int u) const;
+  bool stands_otherwise(const State& state, int u, int member) const;
+  bool lies_on_unplaced(const State& state, int u, int member) const;
   bool is_one_of_several(int u) const;
   bool nothing_nearer(const State& state, std::size_t level) const;
   Referent side_ahead(int u, const PhraseSenses& senses) const;
@@ -190,6 +196,7 @@ class Decoder {
   std::vector<Candidate> carriers(const State& state, Referent subject) const;
   void contents_of(const State& state, int u, const NounPhrase& noun, double order, const Trial& trial) const;
   void named_last(const State& state, const Trial& trial) const;
+  void others_of(const State& state, const NounPhrase& noun, double order, const Trial& trial) const;
   double clause_antecedents(const State& state, const NounPhrase* noun, const Trial& trial) const;
   bool carries_first(const State& state, int u) const;
   double topics_before(const State& state, const NounPhrase* noun, const Trial& trial, double order) const;
@@ -199,6 +206,7 @@ class Decoder {
   double by_small_score(const State& state, const NounPhrase& target, Referent referent, const PhraseSenses& senses) const;
   double before_other_score(const State& state, const NounPhrase& target, Referent referent, const PhraseSenses& senses) const;
   bool is_carried(const State& state, Referent referent) const;
+  bool lies_on(const State& state, Referent one, Referent other) const;
   bool is_told_on_floor(const State& state, int subject) const;
   double antecedent_place_score(const State& state, Referent referent, Referent subject, const PhraseSenses& senses,
                                 const NounPhrase* noun) const;

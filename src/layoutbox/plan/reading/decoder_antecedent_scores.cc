@@ -114,6 +114,9 @@ double Decoder::standing_score(const State& state, Referent referent, Referent s
   score += before_other_score(state, target, referent, senses);
   // What lies on the floor or on something else is seldom what one places things by.
   if (mount_of(target) == Mount::kFloor && !stands(meant)) score -= 0.8;
+  // "A bar lies on the rack, and weights lean against it": against the rack
+  if (mount_of(target) == Mount::kFloor && !lies && mount_of(meant) == Mount::kSurface && is_carried(state, referent))
+    score += weight::kNotBeside;
   // "a sofa, over which a map hangs, …; a table in front of it": of the sofa.
   const bool before = says(senses, RelationType::kInFrontOf) || says(senses, RelationType::kBehind);
   const bool looked_into = meant.entry != nullptr && meant.entry->is(Trait::kMirror);
@@ -154,7 +157,9 @@ bool Decoder::is_carried(const State& state, Referent referent) const {
     const std::vector<int>& items = mention(mention_of(referent)).items;
     const auto is_it = [&](int target) { return mention(target).items == items; };
     return std::ranges::any_of(document_.links, [&](const Link& link) {
-      const bool lies = link.kind == Link::Kind::kHave || says(link.senses, &RelationTraits::rests);
+      const bool on_thing =
+          std::ranges::any_of(link.references, [&](int by) { return !mention(by).items.empty(); });  // not "in the corner"
+      const bool lies = on_thing && (link.kind == Link::Kind::kHave || says(link.senses, &RelationTraits::rests));
       return lies && std::ranges::any_of(link.targets, is_it);
     });
   }
@@ -163,6 +168,7 @@ bool Decoder::is_carried(const State& state, Referent referent) const {
     const UnitReading& place = read_as(state, p);
     if (!is(p, UnitKind::kPlace) || place.inverse || place.subject < 0) continue;
     const std::vector<int> all = list_of(state, place.subject, place.first_subject);
+    if (!is_thing(state, place.alone ? place.implied : p + 1)) continue;
     if (says(place.alone ? alone_senses(p) : unit(p).direct, &RelationTraits::rests) && std::ranges::find(all, referent) != all.end())
       return true;
   }

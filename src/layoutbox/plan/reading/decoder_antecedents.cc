@@ -51,6 +51,16 @@ bool Decoder::is_of_one_group(const State& state, Referent group, Referent subje
          subject >= 0 && chunk(subject).noun.kind == NounKind::kMember && several(state, group);
 }
 
+// The sentence put the one on the other.
+bool Decoder::lies_on(const State& state, Referent one, Referent other) const {
+  for (int p = 0; p < static_cast<int>(state.units.size()); ++p) {
+    const UnitReading& place = read_as(state, p);
+    if (!is(p, UnitKind::kPlace) || place.inverse || place.alone || place.subject != one || !is(p + 1, UnitKind::kNoun)) continue;
+    if (says(unit(p).direct, &RelationTraits::rests) && read_as(state, p + 1).predicate == p && same(state, p + 1, other)) return true;
+  }
+  return false;
+}
+
 // How many things that is, with all that is listed before it where a list is meant.
 int Decoder::things_of(const State& state, Referent referent, bool list) const {
   int things = list ? 0 : noun_of(state, referent).count;
@@ -72,6 +82,10 @@ bool Decoder::consider(std::vector<Candidate>& all, const State& state, Referent
   // Nothing is placed by what lies on it, nor between what it has.
   const bool between = senses != nullptr && says(*senses, RelationType::kBetween);
   if (subject >= 0 && referent >= 0 && (between || mount_of(meant) == Mount::kSurface) && host_of(state, referent) == subject) return false;
+  if (subject >= 0 && referent >= 0 && lies_on(state, referent, subject)) return false;  // "an apron is on a hook near it"
+  // "a camera on a tripod faces it"
+  if (subject >= 0 && referent >= 0 && senses != nullptr && !says(*senses, &RelationTraits::rests) && lies_on(state, subject, referent))
+    return false;
   // Nothing stands between itself, or what has it, and something else.
   const Referent host = subject >= 0 ? host_of(state, subject) : kNobody;
   for (int m = list ? referent : -1; m >= 0; m = read_as(state, m).former) {
@@ -183,6 +197,7 @@ double Decoder::clause_antecedents(const State& state, const NounPhrase* noun, c
     lists(state.frontier[f], order);
     order += trial(state.frontier[f], order, false) ? 0.4 : 0;
   }
+  if (noun != nullptr && noun->determiner == Determiner::kOther) others_of(state, *noun, order, trial);
   // "one", "the other": of any group that was named.
   for (int u = static_cast<int>(state.units.size()); noun != nullptr && noun->kind == NounKind::kMember && !listed && u-- > 0;) {
     if (!is(u, UnitKind::kNoun) || read_as(state, u).role == NounRole::kUnread || !several(state, u)) continue;
@@ -193,6 +208,17 @@ double Decoder::clause_antecedents(const State& state, const NounPhrase* noun, c
     if (!read_as(state, place).alone) trial(place + 1, order, false);
   }
   return order;
+}
+
+// "one of these tables carries a tray, the other a vase": of those of which one was spoken of last.
+void Decoder::others_of(const State& state, const NounPhrase& noun, double order, const Trial& trial) const {
+  if (noun.kind != NounKind::kMember || noun.of) return;
+  for (int u = static_cast<int>(state.units.size()); u-- > 0;) {
+    if (!is(u, UnitKind::kNoun) || read_as(state, u).role == NounRole::kUnread || !chunk(u).noun.subset) continue;
+    if (const Referent group = read_as(state, u).meant; group != kNobody && several(state, group))
+      trial(group, order - weight::kNamedAgain, false);
+    return;
+  }
 }
 
 // What clauses were about.
@@ -248,7 +274,11 @@ void Decoder::text_antecedents(const State& state, const PhraseSenses* senses, c
   const bool over = senses != nullptr && (says(*senses, RelationType::kAbove) || says(*senses, RelationType::kUnder));
   if (before_.fronted >= 0 && !lies && !over && state.roots.empty() && state.frontier.empty())
     trial(referent_of_mention(before_.fronted), 0, false);
+  // "On it lie a map and a pen; a lantern swings above": over what carries them
+  if (before_.fronted >= 0 && over && state.roots.size() <= 1) trial(referent_of_mention(before_.fronted), order + 1, false);
   if (before_.opening >= 0 && state.roots.empty()) trial(referent_of_mention(before_.opening), 0, false);  // "The door is …; next to it"
+  // "a table is opposite the stove, and sacks are under the table. On it …": the table
+  if (before_.again >= 0 && state.roots.empty()) trial(referent_of_mention(before_.again), order - weight::kNamedOnceMore, false);
   if (before_.topic >= 0) trial(referent_of_mention(before_.topic), order, false);
   order += 0.8;
   for (std::size_t r = before_.roots.size(), looked = 0; r-- > 0 && looked < 6; ++looked, order += 0.6)

@@ -171,6 +171,11 @@ void Decoder::apply_predicate(State& state, const Action& action, int u) const {
   switch (action.kind) {
     case kFront: {
       const int outer = action.meant >= 0 && !state.frontier.empty() ? state.frontier.front() : -1;
+      if (action.meant >= 0 && state.frontier.empty()) {
+        std::vector<int> waiting = std::move(state.fronted);
+        begin_clause(state);
+        state.outer_fronted = std::move(waiting);
+      }
       if (action.meant >= 0 || unit(u).joiner != Joiner::kNone) {
         if (!state.frontier.empty()) begin_clause(state);
         state.outer = outer;
@@ -222,11 +227,17 @@ void Decoder::apply_predicate(State& state, const Action& action, int u) const {
       state.imperative = true;
       if (is(u, UnitKind::kVerb)) state.inverted = u;
       break;
-    case kInvert: state.inverted = u; break;
+    case kInvert:
+      if (unit(u).joiner == Joiner::kComma && !state.outer_fronted.empty()) {
+        begin_clause(state);
+        state.fronted = std::exchange(state.outer_fronted, {});
+      }
+      state.inverted = u;
+      break;
     case kFinite: apply_finite(state, action, u); break;
     case kRelate:
       cut_frontier(state, action.unit);
-      state.relative = action.unit;
+      state.relative = state.told = action.unit;
       break;
     default: break;
   }
@@ -273,6 +284,7 @@ void Decoder::apply_finite(State& state, const Action& action, int u) const {
   own.subject = action.unit;
   own.first_subject = action.first;
   const bool place_follows = is(u + 1, UnitKind::kPlace);
+  if (action.unit == state.told && action.unit != state.frontier.front()) state.relative = state.told;  // "which … and is laid with"
   if (state.relative >= 0) {
     cut_frontier(state, action.unit);
     if (!place_follows) state.relative = -1;

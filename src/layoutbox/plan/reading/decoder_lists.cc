@@ -177,9 +177,11 @@ void Decoder::root_list_actions(std::size_t s, int u, double gain) {
     const double elsewhere = placed && placed_by_clause(state, u) ? weight::kPlacedByList : 0;
     const bool own_place =
         placed && !state.fronted.empty() && !(share > 0 && mount_of(noun) == Mount::kSurface) && !(share >= 0 && on_part_of_top(state, u));
+    const bool says_whose = noun.determiner == Determiner::kPossessive && word(u) == "its";  // "…, its stool in front"
     add(s, kNextRoot,
         gain + (agrees && !state.fronted.empty() ? weight::kAgrees : 0) + std::max(share, ends ? weight::kEndsList : -2.5) +
-            (own_place ? weight::kOwnPlace * (unit(u).joiner == Joiner::kComma ? 2 : 1) : 0) + elsewhere,
+            (own_place ? weight::kOwnPlace * (unit(u).joiner == Joiner::kComma || says_whose ? 2 : 1) : 0) +
+            (own_place && says_whose ? weight::kItsOwnPlace : 0) + elsewhere,
         state.frontier.front());
   }
   const double untold = of_clause || subject || placed ? 0 : told_nothing(u);
@@ -234,7 +236,8 @@ double Decoder::content_list_score(const State& state, int member, int u) const 
   double score = closing_score(state, u, owner, host);
   bool ended = false;
   std::size_t length = 0;
-  for (int m = member; m >= 0; m = read_as(state, m).former, ++length) {
+  const bool apart = reading.placed && owner >= 0 && chunk(owner).noun.determiner == Determiner::kEach && placed_by_it(u);
+  for (int m = member; m >= 0 && !apart; m = read_as(state, m).former, ++length) {
     ended |= unit(m).joiner == Joiner::kAnd || unit(m).joiner == Joiner::kCommaAnd;
   }
   if (ended) score += weight::kListEnded;
@@ -243,13 +246,13 @@ double Decoder::content_list_score(const State& state, int member, int u) const 
   if (shares_article(noun, former)) score += joiner == Joiner::kAnd ? weight::kShareArticle : 0;
   const bool inverse = read_as(state, predicate).inverse;
   if (told_alike(predicate, u)) score += weight::kListEnded;
-  if (reading.placed && !inverse && goes_on_apart(host, noun, joiner)) score -= 2;
+  if (reading.placed && !inverse && !apart && goes_on_apart(host, noun, joiner)) score -= 2;
   if (noun.determiner == Determiner::kDefinite) score -= 1.5;
   if (owner == kNobody || host.kind != NounKind::kObject) return score + (host.kind == NounKind::kWall ? 0.5 : 0);
   score += list_kind_score(state, member, u, length);
   const bool trails = unit(predicate).joiner != Joiner::kNone && !carries_list(predicate);
   if (trails && mount_of(noun) == Mount::kFloor && !inverse) score -= 2;  // ", with …"
-  if (has_own_place(u)) score -= !sense_.carries(host, noun) ? 1.6 : joiner == Joiner::kAnd ? 0.6 : 1.4;
+  if (has_own_place(u) && !apart) score -= !sense_.carries(host, noun) ? 1.6 : joiner == Joiner::kAnd ? 0.6 : 1.4;
   if (joiner == Joiner::kAnd && lies_on_placed(u, host)) score -= weight::kSmallByPlace;
   score += each_has_score(state, member, u, owner);
   if (host.entry != nullptr && host.entry->thin) score -= 3;
@@ -264,51 +267,6 @@ double Decoder::each_has_score(const State& state, int member, int u, Referent o
   return may_come_with(noun_of(state, owner), chunk(u).noun) && !goes_on ? weight::kEachHas : weight::kNotWithEach;
 }
 
-// "six tables, each with four chairs, a bar and a sideboard": no table has a bar of its own. At desks and beds anything may stand.
-bool Decoder::may_come_with(const NounPhrase& host, const NounPhrase& noun) const {
-  const bool works = host.entry != nullptr && (host.entry->is(Trait::kDesk) || host.entry->is(Trait::kDeskLike));
-  if (!is_table(lexicon_.catalog(), host) || works || mount_of(noun) != Mount::kFloor) return true;
-  return is_seat(lexicon_.catalog(), noun) || sense_.carries(host, noun) || (noun.entry != nullptr && noun.entry->thin);
-}
-
-// "a fireplace with a shelf on either side and a painting above": by the host as well.
-bool Decoder::placed_by_unsaid(int u) const {
-  return follows(u, UnitKind::kPlace) && !alone_senses(u + 1).empty() && !follows(u + 1, UnitKind::kNoun);
-}
-
-// A TV is on no coffee table.
-bool Decoder::looked_at_elsewhere(const NounPhrase& host, const NounPhrase& noun) const {
-  if (noun.entry == nullptr || !noun.exact || !noun.entry->is(Trait::kScreen) || host.entry == nullptr || !host.entry->is(Trait::kTable))
-    return false;
-  return std::ranges::none_of(noun.entry->stands_on,
-                              [&](const std::string& kind) { return lexicon_.catalog().is_a(host.entry->id, kind); });
-}
-
-// "supporting", "carries", "holds": its things are on it. "With" and "has" leave that open.
-bool Decoder::carries_list(int predicate) const {
-  return shows_things(word(predicate)) || (is(predicate, UnitKind::kPlace) && says(unit(predicate).inverse, RelationType::kOn));
-}
-
-// Small enough for a top, though it may stand on the floor: a ring light, a basket.
-bool Decoder::stands_small(const NounPhrase& noun) const {
-  constexpr Mm kWide = 800;
-  return noun.entry != nullptr && mount_of(noun) == Mount::kFloor && !is_seat(lexicon_.catalog(), noun) && !noun.entry->thin &&
-         std::max(noun.entry->size.usual.width, noun.entry->size.usual.depth) <= kWide && !is_table(lexicon_.catalog(), noun);
-}
-
-// It may lie there, or stand there where it is small: "a chest with a plant on it".
-bool Decoder::has_top_for(const NounPhrase& host, const NounPhrase& noun) const {
-  return sense_.carries(host, noun) || (stands_small(noun) && mount_of(host) == Mount::kFloor && !is_lamp(lexicon_.catalog(), host));
-}
-
-// "with the press, the rack and the scale on it", "… on top": what such a list names, from the noun at u on, lies on its host, whatever it
-// is.
-bool Decoder::lists_on_it(int u) const {
-  while (is(u + 1, UnitKind::kNoun) && unit(u + 1).joiner != Joiner::kNone && !unit(u + 1).clause) ++u;
-  return follows(u, UnitKind::kPlace) && !follows(u + 1, UnitKind::kNoun) && says(unit(u + 1).alone, RelationType::kOn) &&
-         one_of(document_.tokens[chunk(u + 1).last - 1].text, {"it", "top"});
-}
-
 // How well it goes with the list, by what such things do: lie on the host, stand at it.
 double Decoder::list_kind_score(const State& state, int member, int u, std::size_t length) const {
   const UnitReading& reading = read_as(state, member);
@@ -317,7 +275,8 @@ double Decoder::list_kind_score(const State& state, int member, int u, std::size
   const Joiner joiner = unit(u).joiner;
   if (lists_on_it(u) && !is_seat(lexicon_.catalog(), noun) && !is_seat(lexicon_.catalog(), former)) return weight::kCarriedToo;
   // What a table is surrounded by does not lie on it.
-  const bool around = read_as(state, predicate).inverse && mount_of(former) == Mount::kFloor && mount_of(noun) != Mount::kFloor;
+  const bool around =
+      read_as(state, predicate).inverse && !carries_list(predicate) && mount_of(former) == Mount::kFloor && mount_of(noun) != Mount::kFloor;
   const bool carried = !around && sense_.carries(host, noun) && !looked_at_elsewhere(host, noun) &&
                        !(sense_.on_soft(host, noun) && has_own_place(u)),
              before = sense_.carries(host, former);

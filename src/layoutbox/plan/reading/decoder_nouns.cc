@@ -269,8 +269,13 @@ double Decoder::habit_score(const State& state, int place, Referent subject, Ref
   const bool apart = unit(place).joiner != Joiner::kNone || state.participle || chunk(place).placing;
   if (apart) return score;
   const bool beside = std::ranges::any_of(senses, [](const PhraseSense& sense) {
-    return sense.type == RelationType::kBetween || sense.type == RelationType::kOpposite || stands_beside(sense.type);
+    return sense.type == RelationType::kBetween || sense.type == RelationType::kOpposite || sense.type == RelationType::kAtHeadOf ||
+           sense.type == RelationType::kAtFootOf || stands_beside(sense.type);
   });
+  // "a bench with three cushions beneath a row of hooks": the bench
+  const bool below = says(senses, RelationType::kUnder) && mount_of(target) == Mount::kSurface && by.kind == NounKind::kObject &&
+                     mount_of(by) == Mount::kWall && is_thing(state, host) && mount_of(noun_of(state, host)) == Mount::kFloor;
+  if (below) score += weight::kSmallByPlace;
   // "a table with books to the right of the armchair", "an armchair with an ottoman by the fireplace"
   const bool goes_with = mount_of(target) == Mount::kSurface || (target.entry != nullptr && target.entry->is(Trait::kStandsBefore));
   if (beside && goes_with && by.kind == NounKind::kObject && mount_of(by) == Mount::kFloor && is_thing(state, host) &&

@@ -18,107 +18,6 @@ bool is_known_noun(const NounPhrase& noun) {
 
 }  // namespace
 
-// How likely it is that a place (having …) at u speaks of the thing at that level of the frontier.
-double Decoder::attach_score(const State& state, int u, int level, bool inverse) const {
-  const int member = state.frontier[static_cast<std::size_t>(level)];
-  double score = weight::kTree * tree_.for_noun(u, member);
-  int nearer = 0;
-  for (std::size_t f = static_cast<std::size_t>(level) + 1; f < state.frontier.size(); ++f)
-    nearer += is_thing(state, state.frontier[f]) ? 1 : 0;
-  int steps = 0;
-  for (int f = 0; f < level; ++f) steps += is_thing(state, state.frontier[static_cast<std::size_t>(f)]) ? 1 : 0;
-  const bool again = state.place >= 0 && read_as(state, state.place).subject == member;
-  switch (unit(u).joiner) {
-    case Joiner::kNone: score += weight::kLevel * nearer; break;
-    case Joiner::kAnd: score += weight::kLevelAfterComma * steps + (again ? weight::kSameSubject : 0); break;
-    default: score += weight::kLevelAfterComma * steps + (again ? 0.3 : 0); break;
-  }
-  // "in the corner by the door": the second place is of the same thing.
-  if (again && unit(u).joiner == Joiner::kNone && nearer == 0) score += weight::kSameSubject;
-  score += parallel_score(state, u, member);
-  // "turned towards a cello on its stand": the cello's
-  if (nearer == 0 && unit(u).joiner == Joiner::kNone && names_own_carrier(u)) score += weight::kOwnCarrier;
-  const bool floats = member + 1 == u && chunk(member).noun.kind == NounKind::kMember && chunk(member).noun.determiner == Determiner::kEach;
-  if (level > 0 && finite_place(u)) score += floats ? -weight::kFiniteRoot : weight::kFiniteRoot;  // "three chairs each face a mirror"
-  if (word(u) == "from" && level > 0) score += weight::kFromRoot;
-  if (!inverse && hangs_twice(state, u, member)) score += weight::kPlacedTwice;
-  if (!inverse && lies_twice(state, u, member)) score += weight::kLiesTwice;
-  if (!is_definite(state, member)) return score;
-  if (inverse) return score + (is_thing(state, member) ? weight::kKnownHost : weight::kPlaceAsHost);
-  if (member + 1 == u && unit(u).joiner == Joiner::kNone && is_one_of_several(member)) return score + weight::kTellsWhich;
-  score += is_known(state, member) ? weight::kKnownSubject : weight::kDefiniteSubject;
-  return score;
-}
-
-// "on its stand"
-bool Decoder::names_own_carrier(int u) const {
-  if (!is(u, UnitKind::kPlace) || !follows(u, UnitKind::kNoun) || !says(unit(u).direct, &RelationTraits::rests)) return false;
-  const NounPhrase& noun = chunk(u + 1).noun;
-  return noun.kind == NounKind::kObject && noun.determiner == Determiner::kPossessive && word(u + 1) == "its";
-}
-
-// "two urns on its left half, a tray with six cups on its right half": of what is named as the first was, the tray and not its cups.
-double Decoder::parallel_score(const State& state, int u, int member) const {
-  const auto side_of = [&](int place) -> std::string {
-    const PhraseSenses& senses = alone_senses(place);
-    if (says(senses, RelationType::kLeftOf)) return "left";
-    if (says(senses, RelationType::kRightOf)) return "right";
-    if (chunk(place).phrase.one || chunk(place).phrase.other) return chunk(place).phrase.one ? "one" : "other";
-    const bool part = follows(place, UnitKind::kNoun) && chunk(place + 1).noun.kind == NounKind::kPart;
-    return part ? chunk(place + 1).noun.wall_word : std::string{};
-  };
-  const std::string side = side_of(u);
-  // … where something that it has is nearer
-  const bool has_nearer = !state.frontier.empty() && host_of(state, state.frontier.back()) == member;
-  if (side.empty() || !is_thing(state, member) || !has_nearer) return 0;
-  for (int p = u; p-- > 0 && !unit(p + 1).clause;) {
-    const UnitReading& place = read_as(state, p);
-    if (!is(p, UnitKind::kPlace) || place.fronted || place.subject < 0 || side_of(p).empty() || side_of(p) == side) continue;
-    if (place.subject == member) return 0;
-    return read_as(state, place.subject).role == read_as(state, member).role ? weight::kParallel : 0;
-  }
-  return 0;
-}
-
-// "a poster hangs on the wall, with a dispenser fixed to the wall": the poster hangs there already.
-bool Decoder::hangs_twice(const State& state, int u, int member) const {
-  const auto at_wall = [&](int place) {
-    return is(place, UnitKind::kPlace) && says(unit(place).direct, RelationType::kOnWall) && is(place + 1, UnitKind::kNoun) &&
-           chunk(place + 1).noun.kind == NounKind::kWall;
-  };
-  if (!at_wall(u)) return false;
-  for (int before = member + 1; before < u; ++before) {
-    if (at_wall(before) && read_as(state, before).subject == member) return true;
-  }
-  return false;
-}
-
-// "On the desk stands a bust, on the table an urn": the bust lies there already.
-bool Decoder::lies_twice(const State& state, int u, int member) const {
-  const auto on_thing = [&](int place) {
-    return is(place, UnitKind::kPlace) && says(unit(place).direct, &RelationTraits::rests) && is(place + 1, UnitKind::kNoun) &&
-           unit(place + 1).joiner == Joiner::kNone;
-  };
-  if (!on_thing(u) || unit(u).joiner == Joiner::kNone || chunk(u + 1).noun.kind == NounKind::kPronoun) return false;
-  for (int before = 0; before < u; ++before) {
-    const UnitReading& place = read_as(state, before);
-    if (on_thing(before) && place.subject == member && !place.inverse && !place.alone && is_thing(state, before + 1)) return true;
-  }
-  return false;
-}
-
-// "two bookshelves … the bookshelf nearest the door": what follows says which.
-bool Decoder::is_one_of_several(int u) const {
-  const NounPhrase& noun = chunk(u).noun;
-  if (noun.kind != NounKind::kObject || noun.determiner != Determiner::kDefinite || noun.is_plural()) return false;
-  for (int before = 0; before < u; ++before) {
-    if (is(before, UnitKind::kNoun) && chunk(before).noun.kind == NounKind::kObject && chunk(before).noun.is_plural() &&
-        chunk(before).noun.name == noun.name)
-      return true;
-  }
-  return false;
-}
-
 // A place that is a finite verb: "faces", "hang on".
 bool Decoder::finite_place(int u) const { return is(u, UnitKind::kPlace) && (is_finite(word(u)) || lexicon_.is_place_verb(word(u))); }
 
@@ -293,11 +192,20 @@ void Decoder::relative_place_actions(std::size_t s, int u) {
   const bool again = unit(u).joiner == Joiner::kAnd || unit(u).joiner == Joiner::kCommaAnd;
   const Referent before = again ? meant_by_which_before(state, u) : kNobody;
   if (before >= 0) add(s, kFront, weight::kSameWhich, before, -1, before);
+  // "Above the mantel, on which three candlesticks stand, hangs a mirror"
+  const int by = state.frontier.empty() && state.fronted.size() == 1 && unit(u).joiner == Joiner::kComma ? state.fronted.front() + 1 : -1;
+  if (by >= 0 && !read_as(state, by - 1).alone && is_thing(state, by)) add(s, kFront, 1, by, -1, by);
   for (std::size_t f = state.frontier.size(); f-- > 0;) {
     const NounKind kind = noun_of(state, state.frontier[f]).kind;
     if (state.frontier[f] == before) continue;
+    // "a fireplace against the wall, above which a painting hangs": nothing is over a wall
+    const bool at_wall = one_of(word(u), {"on", "against", "along", "at", "upon", "in"});
+    // "a bench along the wall, on which jars stand": the bench
+    const bool of_thing = unit(u).joiner == Joiner::kComma && is_thing(state, state.frontier.front());
+    const double sense = kind != NounKind::kWall ? 0 : !at_wall ? weight::kNoReference : of_thing ? weight::kNotBeside : 0;
     if (is_thing(state, state.frontier[f]) || kind == NounKind::kWindow || kind == NounKind::kDoor || kind == NounKind::kWall)
-      add(s, kFront, -0.9 * nearer++ + weight::kTree * tree_.for_noun(u, state.frontier[f]), state.frontier[f], -1, state.frontier[f]);
+      add(s, kFront, sense - 0.9 * nearer++ + weight::kTree * tree_.for_noun(u, state.frontier[f]), state.frontier[f], -1,
+          state.frontier[f]);
   }
 }
 

@@ -44,7 +44,8 @@ void Decoder::have_actions(std::size_t s, int u) {
       const int member = state.frontier[level];
       const NounKind kind = noun_of(state, member).kind;
       if (!is_thing(state, member) && kind != NounKind::kWall && kind != NounKind::kCorner && kind != NounKind::kPart) continue;
-      add(s, kHaveThing, (level == 0 ? 0.5 : -2.5) + weight::kTree * tree_.for_noun(u, member), member, member);
+      const std::optional<double> again = member == state.told ? retold_score(state, u) : std::nullopt;
+      add(s, kHaveThing, (level == 0 ? 0.5 : again ? 0.5 + *again : -2.5) + weight::kTree * tree_.for_noun(u, member), member, member);
     }
   } else {
     attach_actions(s, u, kHaveThing);
@@ -90,6 +91,10 @@ void Decoder::verb_actions(std::size_t s, int u) {
     add(s, kFinite, 1, state.outer, state.outer);
     return;
   }
+  if (!state.outer_fronted.empty() && unit(u).joiner == Joiner::kComma && is(u + 1, UnitKind::kNoun)) {
+    add(s, kInvert, 1);
+    return;
+  }
   if (state.frontier.empty()) {
     add(s, state.fronted.empty() && !passive ? kCommand : kInvert, 0);
     return;
@@ -102,9 +107,23 @@ void Decoder::verb_actions(std::size_t s, int u) {
   const int root = state.frontier.front();
   const std::string& verb = word(u);
   const bool plural = verb == "are" || verb == "were" || verb == "have" || (!verb.ends_with("s") && verb != "is" && verb != "was");
+  if (const std::optional<double> again = retold_score(state, u)) add(s, kFinite, *again, state.told, state.told);
   // "a cart with two books, a vase and a bowl stands by the sofa": one thing stands there.
   const bool listed = !plural && !state.verb && read_as(state, root).former >= 0 && unit(root).joiner == Joiner::kAnd;
   add(s, kFinite, listed ? weight::kDisagrees : 0, root, plural ? first_of_plural(state, root) : root);
+}
+
+// "a table, which is round and is laid with plates", "chairs surround a table, which … and carries a vase": how well the verb at u goes on
+// with the relative clause, by its number and that of the clause's own thing; nothing where there is none.
+std::optional<double> Decoder::retold_score(const State& state, int u) const {
+  const bool joined = unit(u).joiner == Joiner::kAnd && !unit(u).clause;
+  if (!joined || state.told < 0 || state.frontier.size() < 2 || state.told == state.frontier.front()) return std::nullopt;
+  if (std::ranges::find(state.frontier, state.told) == state.frontier.end()) return std::nullopt;
+  const std::string& verb = word(u);
+  const bool one = verb == "is" || verb == "was" || is_finite(verb), many = verb == "are" || verb == "were";
+  const bool told_many = several(state, state.told), root_many = several(state, state.frontier.front());
+  if (told_many == root_many) return weight::kToldOn;
+  return (one && !told_many) || (many && told_many) ? -weight::kDisagrees : weight::kDisagrees;
 }
 
 // A place that comes after it speaks of it, and is complete.

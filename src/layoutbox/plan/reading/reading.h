@@ -60,6 +60,7 @@ struct TextSoFar {
   std::vector<int> roots;   // … the things that it spoke of
   int first = 0;            // … its first mention
   std::vector<int> listed;  // the last things that a sentence listed
+  int again = -1;           // … which of these it placed a thing by afterwards
   int sided = -1;           // … what something stands left or right of
   bool left = false;        // … left
 };

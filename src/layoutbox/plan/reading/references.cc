@@ -157,10 +157,20 @@ void References::mean_known(Mention& mention) {
   if (mention.items.empty() && noun.determiner == Determiner::kOther) mention.items = known(noun);
 }
 
+// "two lamps on stools … a vase on a stool": each of those came with what it carries.
+bool References::carry_their_own(const std::vector<int>& items) const {
+  return std::ranges::any_of(document_.links, [&](const Link& link) {
+    if (link.kind != Link::Kind::kRelation || link.references.size() != 1 || !says(link.senses, &RelationTraits::rests)) return false;
+    const Mention& host = document_.mentions[static_cast<std::size_t>(link.references.front())];
+    return host.introduces && host.items.size() > 1 && host.items == items && host.noun.count == 0 && !link.targets.empty();
+  });
+}
+
 // "two armchairs … near an armchair", "one armchair": one of them.
 void References::mean_one_of_known(Mention& mention) {
   const NounPhrase& noun = mention.noun;
   const std::vector<int> before = known(noun);
+  if (carry_their_own(before)) return;
   // "four server racks …; one battery cabinet": another thing, though it is drawn like those.
   const bool own_name = !before.empty() && noun.name.find(' ') != std::string::npos &&
                         noun.name != document_.items[static_cast<std::size_t>(before.front())].noun.name;

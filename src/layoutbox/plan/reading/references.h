@@ -54,6 +54,7 @@ class References {
   void mean_object(Mention& mention, bool as_reference, bool of_known);
   void mean_known(Mention& mention);
   void mean_one_of_known(Mention& mention);
+  bool carry_their_own(const std::vector<int>& items) const;
   void mean_own_shelf(Mention& mention) const;
   // "the red one", "the smaller one": the latest thing that was called so, or -1.
   int described(const NounPhrase& noun) const;

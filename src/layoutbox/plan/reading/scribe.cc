@@ -40,16 +40,24 @@ void Scribe::write(const Sentence& sentence, const SentenceReading& reading) {
   end_sentence();
 }
 
+// It is one thing, and one of those.
+bool Scribe::names_one_of(const std::vector<int>& mentions, int mention) const {
+  return is_thing(mention) && mention_at(mention).items.size() == 1 &&
+         std::ranges::any_of(mentions, [&](int one) { return mention_at(one).items == mention_at(mention).items; });
+}
+
 // What the next sentence's "it" and "opposite" may mean.
 void Scribe::end_sentence() {
   std::vector<int> roots;
   int fronted = -1;
-  so_far_.opening = -1;
+  so_far_.opening = so_far_.again = -1;
   for (int u = 0; u < static_cast<int>(sentence_->size()); ++u) {
     const UnitReading& own = reading(u);
     if (unit(u).kind == UnitKind::kNoun && (own.role == NounRole::kRoot || own.role == NounRole::kMember) &&
         is_thing(mention_[static_cast<std::size_t>(u)]))
       roots.push_back(mention_[static_cast<std::size_t>(u)]);
+    if (own.role == NounRole::kReference && names_one_of(roots, mention_[static_cast<std::size_t>(u)]))
+      so_far_.again = mention_[static_cast<std::size_t>(u)];
     const NounKind kind = unit(u).kind == UnitKind::kNoun ? chunk(u).noun.kind : NounKind::kObject;
     if (own.role == NounRole::kRoot && (kind == NounKind::kDoor || kind == NounKind::kWindow))
       so_far_.opening = mention_[static_cast<std::size_t>(u)];

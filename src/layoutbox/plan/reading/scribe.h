@@ -36,6 +36,7 @@ class Scribe {
   std::vector<int> described_by(int u) const;
   void write_attribute(int u);
   void end_sentence();
+  bool names_one_of(const std::vector<int>& mentions, int mention) const;
 
   // Mentions of nouns.
   int make_mention(int u);

@@ -154,6 +154,10 @@ void Scribe::grow_for_corners(const NounPhrase& corner, int target) {
   const bool counted = !wall && corner.count > 1 && noun_of(target).determiner == Determiner::kIndefinite;
   const int said = noun_of(target).count;
   const bool both = !wall && corner.determiner == Determiner::kBoth && noun_of(target).determiner == Determiner::kIndefinite;
+  // "palms in all four corners": as many
+  const bool all = !wall && noun_of(target).plural && said == 0 && noun_of(target).determiner == Determiner::kNone &&
+                   (corner.count > 2 || (corner.determiner == Determiner::kBoth && corner.count != 2));
+  if (all) references_.grow(target, corners_meant(corner));
   if (corner.determiner != Determiner::kEach && !counted && !both) return;
   const std::size_t before = mention_at(target).items.size();
   if (said <= 1) references_.grow(target, wall ? walls_meant(corner) : both ? 2 : corners_meant(corner));

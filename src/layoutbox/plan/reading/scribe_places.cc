@@ -159,7 +159,8 @@ void Scribe::fill_content(int u, int mention) {
   const std::vector<int> hosts = link.references;
   if (link.kind == Link::Kind::kHave) grow_for_hosts(mention, hosts);
   // "On every table a candle with a mill beside it": one for each of the candles that one word brought in.
-  if (link.kind == Link::Kind::kHave && hosts.size() == 1 && mention_at(mention).introduces && !noun_of(hosts.front()).is_plural() &&
+  const bool held = link.kind == Link::Kind::kHave || says(link.senses, &RelationTraits::rests);  // "a nightstand carrying a lamp"
+  if (held && hosts.size() == 1 && mention_at(mention).introduces && !noun_of(hosts.front()).is_plural() &&
       mention_at(hosts.front()).introduces && !mention_at(hosts.front()).distributes && mention_at(hosts.front()).items.size() > 1 &&
       mention_at(mention).items.size() < mention_at(hosts.front()).items.size())
     references_.grow(mention, mention_at(mention).items.size() * mention_at(hosts.front()).items.size());

@@ -68,12 +68,12 @@ double SenseScore::on_top(const NounPhrase& target, const NounPhrase& reference)
 
 // "… at the foot": of the bed rather than of what stands beside it; no chair has a head.
 double SenseScore::at_end(RelationType type, const NounPhrase& reference) const {
-  if (type == RelationType::kAtHeadOf) return is_seat(catalog_, reference) ? weight::kNoReference : 0;
-  if (type != RelationType::kAtFootOf) return 0;
+  if (type == RelationType::kAtHeadOf && is_seat(catalog_, reference)) return weight::kNoReference;
+  if (type != RelationType::kAtFootOf && type != RelationType::kAtHeadOf) return 0;
   const bool bed = reference.entry != nullptr && reference.entry->is(Trait::kBed);
   const bool lain_on = bed || (reference.entry != nullptr && is_table(catalog_, reference));
   double score = 0;
-  if (reference.entry != nullptr && !bed && !is_seat(catalog_, reference)) score += weight::kNotBeside;
+  if (type == RelationType::kAtFootOf && reference.entry != nullptr && !bed && !is_seat(catalog_, reference)) score += weight::kNotBeside;
   if (reference.kind == NounKind::kObject && !lain_on && mount_of(reference) == Mount::kFloor) score += weight::kNotBeside;
   return score;
 }
@@ -92,6 +92,7 @@ double SenseScore::over(const NounPhrase& target, const NounPhrase& reference) c
   const bool in_room = reference.entry != nullptr && reference.entry->is(Trait::kTable) && !reference.entry->back_to_wall &&
                        reference.entry->used_sides.size() > 1;  // "a sideboard with a mirror above, a rug under the table"
   if (mount_of(target) == Mount::kWall && (narrow || small || in_room)) score += weight::kOverSeat;
+  if (mount_of(target) != Mount::kWall && small) score += weight::kNotBeside;  // "a lantern swings above": over the table that carries it
   // Seats and tables stand under things, not over them.
   const bool chest = one_of(target.head, WordSet::kNeverAbove);
   if (is_seat(catalog_, target) || chest || (is_table(catalog_, target) && mount_of(target) == Mount::kFloor)) score += weight::kUnlikely;

@@ -113,6 +113,24 @@ bool UnitReader::serves_for(std::size_t k, std::size_t role) {
   return true;
 }
 
+// Flat, and nothing is in it or on it.
+bool UnitReader::is_picture(const NounPhrase& noun) const {
+  const bool flat = noun.kind == NounKind::kObject && (mount_of(noun) == Mount::kWall || is_textile(lexicon_.catalog(), noun));
+  return flat && (noun.entry == nullptr || (!noun.entry->top_carries && noun.entry->spaces.empty()));
+}
+
+// "a poster depicting a whale hangs above the bed", "a clock showing two time zones": what a flat thing shows is none of the room's.
+bool UnitReader::passes_depicted(std::size_t k) {
+  if (!one_of(document_.tokens[chunk(k).first].text, WordSet::kPicturing) || !is(next(k), ChunkKind::kNoun)) return false;
+  const bool own = chunk(next(k)).noun.determiner == Determiner::kPossessive;  // "a piano, showing its strings"
+  if (!own && (last_noun() != previous(k) || !is_picture(chunk(last_noun()).noun))) return false;
+  std::size_t end = next(k);
+  while (is(end, ChunkKind::kNoun) || (is(end, ChunkKind::kAnd) && is(next(end), ChunkKind::kNoun))) end = next(end);
+  for (std::size_t c = k; c < end; ++c) mark(c, Use::kIgnored, "what it shows");
+  passed_until_ = end;
+  return true;
+}
+
 // "a dresser that doubles as a changing table next to it": what it is used as is no thing; what follows is said of it.
 bool UnitReader::passes_role(std::size_t k) {
   const std::size_t n = next(k);

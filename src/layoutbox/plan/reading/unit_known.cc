@@ -42,7 +42,8 @@ bool UnitReader::is_thing_in_company(std::size_t k) const {
   const bool compound = noun.last > noun.first + 2 && noun_form(noun.head) == WordForm::kThing && noun.attributes.empty() &&
                         noun.name.find(' ') != noun.name.rfind(' ');
   // "a palette and a jar are on the trolley": what is a thing as well, among things
-  const bool thing_too = noun.last == noun.first + 2 && word_form(noun.head) == WordForm::kThing && lists_on_thing(k);
+  const bool thing_too = noun.last == noun.first + 2 && word_form(noun.head) == WordForm::kThing &&
+                         (lists_on_thing(k) || is_told_where(k) || is_content_of_thing());
   if (noun.kind != NounKind::kAbstract || !(noun.doubted || compound || thing_too) || !anew || noun.of ||
       noun.name.find(" of ") != std::string::npos)
     return false;
@@ -71,7 +72,9 @@ bool UnitReader::names_known(std::size_t k) const {
   const NounPhrase& noun = chunk(k).noun;
   const bool of_known =
       noun.determiner == Determiner::kDefinite || noun.determiner == Determiner::kEach || noun.determiner == Determiner::kBoth;
-  const bool part = noun.kind == NounKind::kPart && noun.determiner == Determiner::kEach && !noun.of;  // "two pottery wheels … each wheel"
+  // "two pottery wheels … each wheel", "a pottery wheel … beside the wheel"
+  const bool part =
+      noun.kind == NounKind::kPart && (noun.determiner == Determiner::kEach || noun.determiner == Determiner::kDefinite) && !noun.of;
   // "a dish rack and a mug next to the rack": a thing on a counter, and no part
   const bool short_name = noun.kind == NounKind::kPart && noun.determiner == Determiner::kDefinite && !noun.of && noun.as_object != nullptr;
   if (!(noun.kind == NounKind::kAbstract && noun.doubted && of_known) && !part && !short_name) return false;

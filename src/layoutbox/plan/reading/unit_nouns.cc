@@ -113,7 +113,7 @@ void UnitReader::settle_noun(std::size_t k) {
   }
   if (names_known(k) || is_thing_in_company(k)) {
     noun.kind = NounKind::kObject;
-    if (noun.entry == nullptr && noun.determiner == Determiner::kEach) noun.name = noun.head;
+    if (noun.entry == nullptr && (noun.determiner == Determiner::kEach || noun.determiner == Determiner::kDefinite)) noun.name = noun.head;
   }
   // "above either sink"
   if (noun.determiner == Determiner::kBoth && !noun.plural && noun.count == 0 && document_.tokens[noun.first].text == "either" &&

@@ -57,6 +57,8 @@ class UnitReader {
   bool passes_placer(std::size_t k);
   bool passes_trade(std::size_t k);
   bool passes_like(std::size_t k);
+  bool passes_depicted(std::size_t k);
+  bool is_picture(const NounPhrase& noun) const;
   bool ends_comparison(std::size_t k) const;
   bool ends_contact_clause(std::size_t k) const;
   bool reads_as_verb(std::size_t k) const;

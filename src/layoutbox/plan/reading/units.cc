@@ -243,7 +243,7 @@ void UnitReader::read_break(std::size_t k) {
 }
 
 void UnitReader::read_have(std::size_t k) {
-  if (passes_company(k)) return;
+  if (passes_company(k) || passes_depicted(k)) return;
   const std::string& word = document_.tokens[chunk(k).first].text;
   const std::size_t n = next(k);
   if (skipping_) {

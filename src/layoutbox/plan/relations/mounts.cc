@@ -220,7 +220,7 @@ void RelationBuilder::settle_mount(std::size_t index) {
     return;
   }
   if (held.wall) return settle_on_wall(object, noun);
-  if (held.supported && hangs_on_hooks(object.id)) {
+  if (held.supported && (hangs_on_hooks(object.id) || is_said_to_hang(index))) {
     object.mount = Mount::kHung;
     return;
   }
@@ -268,6 +268,26 @@ bool RelationBuilder::hangs_on_hooks(const std::string& object) const {
     const bool stand = entry != nullptr && entry->is(Trait::kCoatStand) && entry->spaces.empty() && !entry->top_carries;
     return stand || has_hooks(noun_of_object(*host));
   });
+}
+
+// "hand saws hang on a panel on the wall", "a slatted panel from which helmets hang": as is said, where what carries them is flat.
+bool RelationBuilder::is_said_to_hang(std::size_t index) const {
+  const bool said = std::ranges::any_of(document_.links, [&](const Link& link) {
+    return link.kind == Link::Kind::kHang && std::ranges::any_of(link.targets, [&](int m) {
+             return std::ranges::find(mention(m).items, static_cast<int>(index)) != mention(m).items.end();
+           });
+  });
+  const std::vector<std::size_t>& all = relations_of(scene_.objects[index].id);
+  return said && std::any_of(all.begin(), all.end(), [&](std::size_t i) {
+           const Relation& r = scene_.relations[i];
+           const SceneObject* host = traits_of(r.type).rests && !r.references.empty() && r.targets.front() == scene_.objects[index].id
+                                         ? object_of(r.references.front())
+                                         : nullptr;
+           if (host == nullptr) return false;
+           const NounPhrase& noun = noun_of_object(*host);
+           const bool flat = noun.entry == nullptr || (noun.entry->spaces.empty() && !noun.entry->top_carries);
+           return flat && (mount_of(noun) == Mount::kWall || mount_of(noun) == Mount::kCeiling || how_held(*host, noun).wall);
+         });
 }
 
 // "a jacket draped over the chair", "a bathrobe lies on the stool": clothes on what has no hooks and is not made for them.

@@ -270,6 +270,8 @@ class RelationBuilder : private RelationWriter {
   bool has_wall_kind(const NounPhrase& noun) const;
   bool is_board_under(const Relation& relation, const NounPhrase& noun) const;
   bool hangs_on_hooks(const std::string& object) const;
+  bool is_said_to_hang(std::size_t index) const;
+  bool stands_on_fellow(const Mention& things, std::size_t which) const;
   // On or in a thing other than a rug.
   bool lies_folded(const std::string& object, const NounPhrase& noun) const;
   bool is_carried(const std::string& object) const;

@@ -124,6 +124,16 @@ bool RelationBuilder::fits_beside_in_corner(const NounPhrase& noun) {
   return noun.entry != nullptr && std::max(noun.entry->size.usual.width, noun.entry->size.usual.depth) <= kInCorner;
 }
 
+// The thing stands on another one of its own.
+bool RelationBuilder::stands_on_fellow(const Mention& things, std::size_t which) const {
+  const std::vector<std::string> all = ids(things.items);
+  return std::ranges::any_of(relations_of(all[which]), [&](std::size_t r) {
+    const Relation& relation = scene_.relations[r];
+    return relation.type == R::kOn && relation.targets.front() == all[which] && !relation.references.empty() &&
+           std::ranges::find(all, relation.references.front()) != all.end();
+  });
+}
+
 void RelationBuilder::add_corners(const Link& link, const Mention& target, const NounPhrase& corner) {
   static const std::vector<std::vector<std::string>> kCorners = {
       {"left", "back"}, {"right", "back"}, {"left", "front"}, {"right", "front"}};
@@ -144,6 +154,7 @@ void RelationBuilder::add_corners(const Link& link, const Mention& target, const
     const auto references = every && target.items.size() > 1 ? kCorners[t % kCorners.size()] : side;
     // "two fitting rooms at the back right", "three armchairs in a corner": one is in it, the others beside it; "boxes in the corner": all.
     const bool with_first = !every && !several && t > 0 && mount_of(target.noun) == Mount::kFloor;
+    if (with_first && stands_on_fellow(target, t)) continue;  // "two bales stacked in the corner"
     if (with_first && (side.size() == 2 || !fits_beside_in_corner(target.noun))) {
       add(link, R::kNextTo, {id(target.items[t])}, {id(target.items[t - 1])});
       continue;

@@ -144,11 +144,13 @@ void RelationBuilder::seat_in_reach(const std::vector<std::pair<std::string, std
   for (std::size_t s = 0; s + 1 < in_reach.size(); s += 2) {
     const std::string &one = in_reach[s].first, &other = in_reach[s + 1].first;
     if (const auto seen = look_of(one); seen.empty() || seen != look_of(other) || seen.front() == other) continue;
-    for (const R type : {R::kSameOrientation, R::kEdgeAlign}) {
-      add_habit(type, {other}, {one}, kTogether, "who looks at one thing sits side by side");
+    const auto conclude = [&](R type, const std::string& thing, std::string_view why) {
+      add_habit(type, {thing}, {one}, kTogether, std::string(why));
       scene_.relations.back().hard = true;
       scene_.relations.back().origin = Origin::kConcluded;
-    }
+    };
+    for (const R type : {R::kSameOrientation, R::kEdgeAlign}) conclude(type, other, "who looks at one thing sits side by side");
+    conclude(R::kSameOrientation, in_reach[s].second, "a table between two seats looks as they do");
   }
 }
 

@@ -100,7 +100,8 @@ bool RelationBuilder::add_at_sides(const Link& link, const PhraseSense& sense, c
   }
   if (!is_seat(catalog_, noun_of_item(targets.front())) || !is_table(catalog_, noun_of_item(host))) return false;
   // "two chairs, one at each end" of a table
-  if (targets.size() == 2 && words_between(document_, link.first, link.last).find("end") != std::string::npos) {
+  const std::string said = words_between(document_, link.first, link.last);
+  if (targets.size() == 2 && (said.find("end") != std::string::npos || said.find("heads") != std::string::npos)) {
     const PhraseSense along{R::kAlongSide, Direction::kDirect, {}, {}, Side::kShort};
     for (const int seat : targets) {
       add(link, along.type, {id(seat)}, {id(host)}, along);

@@ -5,6 +5,7 @@
 
 #include "layoutbox/plan/phrases/reader_words.h"
 #include "layoutbox/plan/room/room_reader.h"
+#include "layoutbox/plan/room/room_reader_parts.h"
 
 namespace layoutbox::offline {
 namespace {
@@ -40,9 +41,11 @@ std::string wall_of(OpeningType type, SceneGraph& scene) {
 }  // namespace
 
 void name_walls_by_openings(const Lexicon& lexicon, Document& document, SceneGraph& scene) {
+  const bool none = scene.room.openings.empty();
   for (Mention& mention : document.mentions) {
     if (const auto type = called_after(lexicon, document, mention.noun)) mention.noun.wall_word = wall_of(*type, scene);
   }
+  if (none && !scene.room.openings.empty()) add_needed_openings(document, scene);  // of a room with a door wall nothing is said of windows
 }
 
 }  // namespace layoutbox::offline

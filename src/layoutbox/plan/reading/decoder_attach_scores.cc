@@ -1,0 +1,141 @@
+// How well a place or a having suits the thing that it may be said of.
+#include <algorithm>
+
+#include "layoutbox/plan/phrases/knowledge.h"
+#include "layoutbox/plan/phrases/reader_words.h"
+#include "layoutbox/plan/reading/decoder.h"
+#include "layoutbox/plan/reading/weights.h"
+
+namespace layoutbox::offline {
+
+// How likely it is that a place (having …) at u speaks of the thing at that level of the frontier.
+double Decoder::attach_score(const State& state, int u, int level, bool inverse) const {
+  const int member = state.frontier[static_cast<std::size_t>(level)];
+  double score = weight::kTree * tree_.for_noun(u, member);
+  int nearer = 0;
+  for (std::size_t f = static_cast<std::size_t>(level) + 1; f < state.frontier.size(); ++f)
+    nearer += is_thing(state, state.frontier[f]) ? 1 : 0;
+  int steps = 0;
+  for (int f = 0; f < level; ++f) steps += is_thing(state, state.frontier[static_cast<std::size_t>(f)]) ? 1 : 0;
+  const bool again = state.place >= 0 && read_as(state, state.place).subject == member;
+  switch (unit(u).joiner) {
+    case Joiner::kNone: score += weight::kLevel * nearer; break;
+    case Joiner::kAnd: score += weight::kLevelAfterComma * steps + (again ? weight::kSameSubject : 0); break;
+    default: score += weight::kLevelAfterComma * steps + (again ? 0.3 : 0); break;
+  }
+  // "in the corner by the door": the second place is of the same thing.
+  if (again && unit(u).joiner == Joiner::kNone && nearer == 0) score += weight::kSameSubject;
+  score += parallel_score(state, u, member);
+  // "turned towards a cello on its stand": the cello's
+  if (nearer == 0 && unit(u).joiner == Joiner::kNone && names_own_carrier(u)) score += weight::kOwnCarrier;
+  const bool floats = member + 1 == u && chunk(member).noun.kind == NounKind::kMember && chunk(member).noun.determiner == Determiner::kEach;
+  const std::optional<double> retold = level > 0 && finite_place(u) && member == state.told ? retold_score(state, u) : std::nullopt;
+  if (retold) score += *retold - weight::kLevelAfterComma * steps;
+  if (level > 0 && finite_place(u) && !retold)
+    score += floats ? -weight::kFiniteRoot : weight::kFiniteRoot;  // "three chairs each face a mirror"
+  if (word(u) == "from" && level > 0) score += weight::kFromRoot;
+  if (!inverse && hangs_twice(state, u, member)) score += weight::kPlacedTwice;
+  if (!inverse && lies_twice(state, u, member)) score += weight::kLiesTwice;
+  if (!inverse && stands_otherwise(state, u, member)) score += weight::kLiesTwice;
+  if (!inverse && lies_on_unplaced(state, u, member)) score += weight::kSmallByPlace;
+  if (!is_definite(state, member)) return score;
+  if (inverse) return score + (is_thing(state, member) ? weight::kKnownHost : weight::kPlaceAsHost);
+  if (member + 1 == u && unit(u).joiner == Joiner::kNone && is_one_of_several(member)) return score + weight::kTellsWhich;
+  score += is_known(state, member) ? weight::kKnownSubject : weight::kDefiniteSubject;
+  return score;
+}
+
+// "on its stand"
+bool Decoder::names_own_carrier(int u) const {
+  if (!is(u, UnitKind::kPlace) || !follows(u, UnitKind::kNoun) || !says(unit(u).direct, &RelationTraits::rests)) return false;
+  const NounPhrase& noun = chunk(u + 1).noun;
+  return noun.kind == NounKind::kObject && noun.determiner == Determiner::kPossessive && word(u + 1) == "its";
+}
+
+// "two urns on its left half, a tray with six cups on its right half": of what is named as the first was, the tray and not its cups.
+double Decoder::parallel_score(const State& state, int u, int member) const {
+  const auto side_of = [&](int place) -> std::string {
+    const PhraseSenses& senses = alone_senses(place);
+    if (says(senses, RelationType::kLeftOf)) return "left";
+    if (says(senses, RelationType::kRightOf)) return "right";
+    if (chunk(place).phrase.one || chunk(place).phrase.other) return chunk(place).phrase.one ? "one" : "other";
+    const bool part = follows(place, UnitKind::kNoun) && chunk(place + 1).noun.kind == NounKind::kPart;
+    return part ? chunk(place + 1).noun.wall_word : std::string{};
+  };
+  const std::string side = side_of(u);
+  // … where something that it has is nearer
+  const bool has_nearer = !state.frontier.empty() && host_of(state, state.frontier.back()) == member;
+  if (side.empty() || !is_thing(state, member) || !has_nearer) return 0;
+  for (int p = u; p-- > 0 && !unit(p + 1).clause;) {
+    const UnitReading& place = read_as(state, p);
+    if (!is(p, UnitKind::kPlace) || place.fronted || place.subject < 0 || side_of(p).empty() || side_of(p) == side) continue;
+    if (place.subject == member) return 0;
+    return read_as(state, place.subject).role == read_as(state, member).role ? weight::kParallel : 0;
+  }
+  return 0;
+}
+
+// "a poster hangs on the wall, with a dispenser fixed to the wall": the poster hangs there already.
+bool Decoder::hangs_twice(const State& state, int u, int member) const {
+  const auto at_wall = [&](int place) {
+    return is(place, UnitKind::kPlace) && says(unit(place).direct, RelationType::kOnWall) && is(place + 1, UnitKind::kNoun) &&
+           chunk(place + 1).noun.kind == NounKind::kWall;
+  };
+  if (!at_wall(u)) return false;
+  for (int before = member + 1; before < u; ++before) {
+    if (at_wall(before) && read_as(state, before).subject == member) return true;
+  }
+  return false;
+}
+
+// "On the desk stands a bust, on the table an urn": the bust lies there already.
+bool Decoder::lies_twice(const State& state, int u, int member) const {
+  const auto on_thing = [&](int place) {
+    return is(place, UnitKind::kPlace) && says(unit(place).direct, &RelationTraits::rests) && is(place + 1, UnitKind::kNoun) &&
+           unit(place + 1).joiner == Joiner::kNone;
+  };
+  if (!on_thing(u) || unit(u).joiner == Joiner::kNone || chunk(u + 1).noun.kind == NounKind::kPronoun) return false;
+  for (int before = 0; before < u; ++before) {
+    const UnitReading& place = read_as(state, before);
+    if (on_thing(before) && place.subject == member && !place.inverse && !place.alone && is_thing(state, before + 1)) return true;
+  }
+  return false;
+}
+
+// "with a stool holding a candle and a book beside it": the stool has no place yet, and the book has one.
+bool Decoder::lies_on_unplaced(const State& state, int u, int member) const {
+  const Referent host = host_of(state, member);
+  if (!follows(u, UnitKind::kNoun) || chunk(u + 1).noun.head != "it" || unit(u).joiner != Joiner::kNone || !is_thing(state, host)) return false;
+  if (host < 0 || is_placed_apart(state, host) || read_as(state, host).role != NounRole::kContent) return false;
+  return carries_list(read_as(state, member).predicate) && mount_of(noun_of(state, member)) == Mount::kSurface &&
+         mount_of(noun_of(state, host)) == Mount::kFloor && !says(unit(u).direct, &RelationTraits::rests);
+}
+
+// "two bookshelves … the bookshelf nearest the door": what follows says which.
+bool Decoder::is_one_of_several(int u) const {
+  const NounPhrase& noun = chunk(u).noun;
+  if (noun.kind != NounKind::kObject || noun.determiner != Determiner::kDefinite || noun.is_plural()) return false;
+  for (int before = 0; before < u; ++before) {
+    if (is(before, UnitKind::kNoun) && chunk(before).noun.kind == NounKind::kObject && chunk(before).noun.is_plural() &&
+        chunk(before).noun.name == noun.name)
+      return true;
+  }
+  return false;
+}
+
+// "Next to the sofa there is a rack, and opposite the sofa …": the rack stands beside it already.
+bool Decoder::stands_otherwise(const State& state, int u, int member) const {
+  const auto away = [](const PhraseSenses& senses) { return says(senses, RelationType::kOpposite) || says(senses, RelationType::kFar); };
+  const auto close = [](const PhraseSenses& senses) { return says(senses, RelationType::kNextTo) || says(senses, RelationType::kNear); };
+  if (!is(u, UnitKind::kPlace) || !follows(u, UnitKind::kNoun) || unit(u).joiner == Joiner::kNone) return false;
+  const bool far = away(unit(u).direct);
+  if (far == close(unit(u).direct)) return false;
+  for (int before = 0; before < u; ++before) {
+    const UnitReading& place = read_as(state, before);
+    if (!is(before, UnitKind::kPlace) || place.inverse || place.alone || place.subject != member || !is(before + 1, UnitKind::kNoun)) continue;
+    if ((far ? close(unit(before).direct) : away(unit(before).direct)) && same(state, before + 1, u + 1)) return true;
+  }
+  return false;
+}
+
+}  // namespace layoutbox::offline

@@ -1,0 +1,59 @@
+// What a thing may have: what comes with it, what lies or stands on it.
+#include <algorithm>
+
+#include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/plan/phrases/knowledge.h"
+#include "layoutbox/plan/phrases/reader_words.h"
+#include "layoutbox/plan/reading/decoder.h"
+
+namespace layoutbox::offline {
+
+// "six tables, each with four chairs, a bar and a sideboard": no table has a bar of its own. At desks and beds anything may stand.
+bool Decoder::may_come_with(const NounPhrase& host, const NounPhrase& noun) const {
+  const bool works = host.entry != nullptr && (host.entry->is(Trait::kDesk) || host.entry->is(Trait::kDeskLike));
+  if (!is_table(lexicon_.catalog(), host) || works || mount_of(noun) != Mount::kFloor) return true;
+  return is_seat(lexicon_.catalog(), noun) || sense_.carries(host, noun) || (noun.entry != nullptr && noun.entry->thin);
+}
+
+// "a fireplace with a shelf on either side and a painting above": by the host as well.
+bool Decoder::placed_by_unsaid(int u) const {
+  return follows(u, UnitKind::kPlace) && !alone_senses(u + 1).empty() && !follows(u + 1, UnitKind::kNoun);
+}
+
+// "each with a screen and a telephone on it and a chair behind it": by the host once more.
+bool Decoder::placed_by_it(int u) const { return has_own_place(u) && chunk(u + 2).noun.head == "it" && unit(u).joiner == Joiner::kAnd; }
+
+// A TV is on no coffee table.
+bool Decoder::looked_at_elsewhere(const NounPhrase& host, const NounPhrase& noun) const {
+  if (noun.entry == nullptr || !noun.exact || !noun.entry->is(Trait::kScreen) || host.entry == nullptr || !host.entry->is(Trait::kTable))
+    return false;
+  return std::ranges::none_of(noun.entry->stands_on,
+                              [&](const std::string& kind) { return lexicon_.catalog().is_a(host.entry->id, kind); });
+}
+
+// "supporting", "carries", "holds": its things are on it. "With" and "has" leave that open.
+bool Decoder::carries_list(int predicate) const {
+  return shows_things(word(predicate)) || (is(predicate, UnitKind::kPlace) && says(unit(predicate).inverse, RelationType::kOn));
+}
+
+// Small enough for a top, though it may stand on the floor: a ring light, a basket.
+bool Decoder::stands_small(const NounPhrase& noun) const {
+  constexpr Mm kWide = 800;
+  return noun.entry != nullptr && mount_of(noun) == Mount::kFloor && !is_seat(lexicon_.catalog(), noun) && !noun.entry->thin &&
+         std::max(noun.entry->size.usual.width, noun.entry->size.usual.depth) <= kWide && !is_table(lexicon_.catalog(), noun);
+}
+
+// It may lie there, or stand there where it is small: "a chest with a plant on it".
+bool Decoder::has_top_for(const NounPhrase& host, const NounPhrase& noun) const {
+  return sense_.carries(host, noun) || (stands_small(noun) && mount_of(host) == Mount::kFloor && !is_lamp(lexicon_.catalog(), host));
+}
+
+// "with the press, the rack and the scale on it", "… on top": what such a list names, from the noun at u on, lies on its host, whatever it
+// is.
+bool Decoder::lists_on_it(int u) const {
+  while (is(u + 1, UnitKind::kNoun) && unit(u + 1).joiner != Joiner::kNone && !unit(u + 1).clause) ++u;
+  return follows(u, UnitKind::kPlace) && !follows(u + 1, UnitKind::kNoun) && says(unit(u + 1).alone, RelationType::kOn) &&
+         one_of(document_.tokens[chunk(u + 1).last - 1].text, {"it", "top"});
+}
+
+}  // namespace layoutbox::offline
