@@ -45,6 +45,7 @@ Result<SceneGraph> normalize_scene(SceneGraph scene, const Catalog& catalog, con
   if (context.errors.empty()) {
     normalize_distances(context);
     normalize_relations(context);
+    normalize_worktops(context);
     check_parts(context);
     normalize_grids(context);
     normalize_visitors(context);

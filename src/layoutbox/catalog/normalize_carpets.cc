@@ -42,7 +42,37 @@ bool stand_in_rows(const OnCarpet& on, const Size& carpet) {
 
 }  // namespace
 
+namespace {
+
+// A tablecloth covers the table that it is on.
+void spread_cloth(const NormalizeContext& context, SceneObject& cloth) {
+  constexpr Mm kShort = 20;         // of the edge all round
+  constexpr double kInRound = 0.7;  // of a round top's sides
+  for (const Relation& r : context.scene.relations) {
+    if (r.type != RelationType::kOn || r.references.size() != 1 || !names(r.targets, cloth.id)) continue;
+    const auto table = std::ranges::find(context.scene.objects, r.references[0], &SceneObject::id);
+    if (table == context.scene.objects.end() || !table->size || !context.catalog.is_a(table->category, "table")) continue;
+    const bool round = std::ranges::any_of(table->attributes, [](const std::string& a) { return a == "round" || a == "oval"; });
+    const auto spread = [&](Mm Size::*side) {
+      const Mm top = table->size->usual.*side;
+      const Mm length = round ? static_cast<Mm>(top * kInRound) : top - 2 * kShort;
+      cloth.size->usual.*side = length;
+      cloth.size->least.*side = std::min(cloth.size->least.*side, length);
+      cloth.size->greatest.*side = std::max(cloth.size->greatest.*side, length);
+    };
+    spread(&Size::width);
+    spread(&Size::depth);
+    return;
+  }
+}
+
+}  // namespace
+
 void normalize_carpets(NormalizeContext& context) {
+  for (SceneObject& cloth : context.scene.objects) {
+    const bool ours = cloth.size && cloth.size_source == SizeSource::kCatalog;
+    if (ours && context.catalog.is_a(cloth.category, "tablecloth")) spread_cloth(context, cloth);
+  }
   constexpr int kSteps = 10, kMostSteps = 30;
   for (SceneObject& carpet : context.scene.objects) {
     if (!carpet.size || carpet.size_source != SizeSource::kCatalog || !context.catalog.entry_or_nearest(carpet.category).thin) continue;

@@ -78,6 +78,9 @@ void normalize_curtains(NormalizeContext& context);
 // REQUIRES: the room is settled.
 void normalize_slopes(NormalizeContext& context);
 
+// Benches that are told to be along a wall are as long as that and their range let them be. REQUIRES: relations name walls by their ids.
+void normalize_worktops(NormalizeContext& context);
+
 // Names that relations use: walls by word become ids, relations to nothing are left out; ids for those without.
 void normalize_relations(NormalizeContext& context);
 

@@ -130,7 +130,7 @@ class Companions {
     const CatalogEntry* entry = catalog_.find(thing.category);
     const SceneObject* sized = scene_.sized(thing.id);
     if (entry == nullptr || entry->mount != Mount::kSurface || sized == nullptr || !sized->size) return;
-    if (sized->mount != Mount::kFloor && !only_carriers_are_elsewhere(thing.id, *entry)) return;
+    if (sized->mount != Mount::kFloor && !only_carriers_are_elsewhere(thing.id, *entry) && !hangs_in_corner(thing, *sized)) return;
     const auto is_such = [&](const std::string& kind) { return catalog_.is_a(thing.category, kind); };
     if (std::ranges::none_of(groups_.carried, is_such)) return;  // dolls, baskets and bowls may well lie on the floor
     bool own = false;
@@ -145,6 +145,13 @@ class Companions {
     const std::string id = own || shared.empty() ? scene_.add(*host) : shared;
     if (!own) shared = id;
     scene_.relate(RelationType::kOn, {thing.id}, id);
+  }
+
+  // "The telly in the corner": nothing flat hangs there, it stands on something.
+  bool hangs_in_corner(const SceneObject& thing, const SceneObject& sized) const {
+    const bool corner = std::ranges::any_of(scene_.relations_of(thing.id),
+                                            [&](std::size_t r) { return scene_.graph().relations[r].type == RelationType::kCorner; });
+    return corner && sized.mount == Mount::kWall && thing.mount != Mount::kWall;
   }
 
   // A sewing machine under the window, where the only table has the middle of the room.

@@ -38,6 +38,43 @@ TEST(RoomGroups, ArmchairsSitBeforeTheFire) {
   }
 }
 
+TEST(RoomGroups, ArmchairsToldByTheFireSitBeforeItToo) {
+  const Layout layout = solved_as_asked(SceneMaker(4500, 4000)
+                                            .add("fireplace")
+                                            .add("wingback_chair", 2)
+                                            .relate("near", {"wingback_chair_1"}, {"fireplace_1"})
+                                            .relate("near", {"wingback_chair_2"}, {"fireplace_1"})
+                                            .make(true));
+  for (const char* chair : {"wingback_chair_1", "wingback_chair_2"}) {
+    const double turned = layout.find_object("fireplace_1")->rotation_deg - layout.find_object(chair)->rotation_deg;
+    EXPECT_NEAR(std::abs(std::remainder(turned, 360)), 180, 1) << chair;
+  }
+}
+
+TEST(RoomGroups, ATubsCurtainHangsAtTheTub) {
+  const Layout layout = solved_as_asked(SceneMaker(3000, 2600)
+                                            .add("bathtub")
+                                            .add("shower_curtain")
+                                            .opening(OpeningType::kDoor, "wall1", 200)
+                                            .opening(OpeningType::kWindow, "wall2", 1000, 900, 900, 1200)
+                                            .make(true));
+  EXPECT_LT(distance(layout, "bathtub_1", "shower_curtain_1"), 800);
+}
+
+TEST(RoomGroups, TwoWindowsByADoorAreOneOnEachSideOfIt) {
+  SceneGraph scene = SceneMaker(9000, 6000).add("table").make();
+  for (const auto& [id, type] : {std::pair{"d", OpeningType::kDoor}, {"a", OpeningType::kWindow}, {"b", OpeningType::kWindow}}) {
+    Opening opening;
+    opening.id = id, opening.type = type, opening.wall = "wall1", opening.width = 1000;
+    opening.height = type == OpeningType::kDoor ? 2000 : 1200, opening.sill = type == OpeningType::kDoor ? 0 : 900;
+    scene.room.openings.push_back(opening);
+  }
+  const Layout layout = solved_as_asked(scene);
+  const auto at = [&](const char* id) { return *layout.find_opening(id)->offset; };
+  EXPECT_LT(std::min(at("a"), at("b")) + 1000, at("d"));
+  EXPECT_GT(std::max(at("a"), at("b")), at("d") + 1000);
+}
+
 TEST(RoomGroups, GuestsDoNotWaitBehindTheDesk) {
   const Layout layout = solved_as_asked(SceneMaker(6000, 5000).add("reception_desk").add("chair", 6).make(true));
   const PlacedObject& desk = *layout.find_object("reception_desk_1");

@@ -97,6 +97,12 @@ bool is_general(const NounPhrase& noun) {
   return noun.count == 0 && noun.attributes.empty() && noun.determiner != Determiner::kEach && noun.determiner != Determiner::kBoth;
 }
 
+// "a side table for tea" stays one: what is called by more than its last word is of that kind already.
+bool is_other_compound(const Lexicon& lexicon, const NounPhrase& thing, const CatalogEntry& kind) {
+  const bool compound = thing.exact && thing.entry != nullptr && thing.entry != lexicon.entry_called(thing.head);
+  return compound && !lexicon.catalog().is_a(kind.id, thing.entry->id);
+}
+
 // "a bed for the dog", "a bin for toys": the kind that is called after whom or what it is for.
 void settle_kinds_by_purpose(const Lexicon& lexicon, Document& document) {
   std::vector<Chunk>& chunks = document.chunks;
@@ -110,7 +116,7 @@ void settle_kinds_by_purpose(const Lexicon& lexicon, Document& document) {
     if ((!noun && whom.last != whom.first + 1) || (noun && !is_general(whom.noun))) continue;
     const std::string called = singular_of(document.tokens[whom.last - 1].text) + " " + thing.noun.head;
     const CatalogEntry* kind = lexicon.entry_called(called);
-    if (kind == nullptr || kind == thing.noun.entry) continue;
+    if (kind == nullptr || kind == thing.noun.entry || is_other_compound(lexicon, thing.noun, *kind)) continue;
     thing.noun.entry = kind;
     thing.noun.category = kind->id;
     thing.noun.exact = true;

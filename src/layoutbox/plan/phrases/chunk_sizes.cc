@@ -3,6 +3,7 @@
 #include <array>
 #include <string_view>
 
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/phrases/chunks_parts.h"
 #include "layoutbox/plan/phrases/knowledge.h"
 #include "layoutbox/plan/phrases/reader_words.h"
@@ -68,6 +69,16 @@ std::optional<Measure> Chunker::read_unit(std::size_t at) const {
   return std::nullopt;
 }
 
+// "Bed 140 cm against the left wall": so wide, and not so far from it; or no phrase at all.
+bool Chunker::takes_no_distance(std::size_t at, const Measure& measure, const PhraseMatch& phrase) const {
+  if (phrase.length == 0) return true;
+  if (!says(*phrase.senses, RelationType::kAgainstWall)) return false;
+  if (at != i_ + measure.length || chunks_.empty() || chunks_.back().kind != ChunkKind::kNoun) return false;
+  const CatalogEntry* entry = chunks_.back().noun.entry;
+  const Mm width = mm_from_m(measure.metres);
+  return entry != nullptr && entry->is(Trait::kBed) && entry->size.least.width <= width && width <= entry->size.greatest.width;
+}
+
 bool Chunker::read_distance() {
   std::size_t at = i_;
   const auto skip_class = [&](WordClass word_class) {
@@ -131,7 +142,7 @@ bool Chunker::read_distance() {
   const PhraseMatch phrase = lexicon_.find_phrase(tokens_, at);
   const bool from =
       tokens_[at].text == "from" || (apart && tokens_[at].text == "to") || tokens_[at - 1].text == "of" || tokens_[at].text == "off";
-  if (!from && phrase.length == 0) return false;
+  if (!from && takes_no_distance(at, *measure, phrase)) return false;
   const std::size_t first = i_;
   const std::size_t length = at - first + (tokens_[at - 1].text == "of" ? 0 : from ? 1 : phrase.length);
   Chunk& chunk = add(ChunkKind::kRelation, length);

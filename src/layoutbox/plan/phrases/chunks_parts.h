@@ -135,6 +135,7 @@ class Chunker {
   bool read_hung_at();
   NounPhrase* may_hang();
   bool read_distance();
+  bool takes_no_distance(std::size_t at, const Measure& measure, const PhraseMatch& phrase) const;
   bool read_kept_free(std::size_t at, double metres);
   // Where the length of a gap begins; `led`: after "with", "leaving"; `said`: as "a gap of".
   struct Gap {

@@ -21,20 +21,34 @@ bool is_as_wide_as_deep(const NounPhrase& noun) {
                      [](const std::string& a) { return a == "square" || one_of(a, WordSet::kAllRound); });
 }
 
-// Which of the three sides "a 6-foot bookcase" speaks of: the longest that such a thing usually has.
+// Which of the three sides "a 6-foot bookcase" speaks of: the longest that such a thing usually has, unless that is never so long and
+// another one may be: "a 48 inch vanity" and "a 140 cm bed" are so wide.
+Mm Size::*side_spoken_of(const SizeRange& range, double span) {
+  const Mm length = mm_from_m(span);
+  const auto may_be = [&](Mm Size::*side) { return range.least.*side <= length && length <= range.greatest.*side; };
+  const Size& usual = range.usual;
+  Mm Size::*longest = usual.depth > usual.width ? &Size::depth : &Size::width;
+  if (usual.height > usual.*longest) longest = &Size::height;
+  if (may_be(longest)) return longest;
+  for (Mm Size::*side : {&Size::width, &Size::depth}) {
+    if (may_be(side)) return side;
+  }
+  return longest;
+}
+
 SaidSize with_span(SaidSize size, const CatalogEntry& entry, const NounPhrase& noun) {
   const double span = *size.span;
-  const Size& usual = entry.size.usual;
   if (is_screen(entry)) {
     size.width = span * kWidthOfDiagonal;
     size.height = span * kHeightOfDiagonal;
     return size;
   }
-  if (usual.height > std::max(usual.width, usual.depth)) {
+  Mm Size::*side = side_spoken_of(entry.size, span);
+  if (side == &Size::height) {
     size.height = span;
   } else if (is_as_wide_as_deep(noun)) {
     size.width = size.depth = span;
-  } else if (usual.depth > usual.width) {
+  } else if (side == &Size::depth) {
     size.depth = span;
   } else {
     size.width = span;

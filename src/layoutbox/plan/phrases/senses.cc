@@ -261,7 +261,8 @@ class SenseChooser {
     const bool hangs = mount_of(target_) == Mount::kWall || mount_of(target_) == Mount::kHung;
     if (reference_.kind == NounKind::kDoor && hangs && says(R::kOn)) return own(R::kNextTo);
     const bool turned = opening && says(R::kAgainstWall) && !says_any({R::kUnderWindow, R::kNear, R::kNextTo});  // "its back to the window"
-    if (turned && direction_ == PhraseSense::Direction::kDirect) return own(R::kNear);
+    const bool has_back = mount_of(target_) != Mount::kSurface;  // "a desk with a phone and an ashtray, its back to the window": the desk's
+    if (turned && has_back && direction_ == PhraseSense::Direction::kDirect) return own(R::kNear);
     const bool at_table = reference_.kind == NounKind::kObject && is_seat(catalog_, target_) && is_table(catalog_, reference_);
     const bool along_it = says(R::kAlongSide) || (says(R::kOpposite) && says(R::kEachSideOf));
     if (!at_table || !along_it || (target_.is_plural() && says(R::kEachSideOf) && !says(R::kOpposite))) return std::nullopt;

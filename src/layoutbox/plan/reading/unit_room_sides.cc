@@ -28,6 +28,8 @@ std::string side_said(std::span<const Token> tokens, std::size_t last) {
 // "along one side of the room", "on each side of the hall": at its side walls.
 void UnitReader::mean_side_of_room(std::size_t k) {
   NounPhrase& noun = document_.chunks[k].noun;
+  // "by the window of the classroom": which room it is
+  if (is_opening(noun) && noun.of && noun.of->room != nullptr && document_.rooms.empty()) document_.rooms.push_back(*noun.of);
   if (!after_place() || noun.kind != NounKind::kRoom || says(units_.back().direct, RelationType::kInRegion)) return;
   const Chunk& place = chunk(units_.back().chunk);
   const bool side = says(units_.back().direct, RelationType::kAlongSide), each = units_.back().each;

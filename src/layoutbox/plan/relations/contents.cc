@@ -104,7 +104,7 @@ void RelationBuilder::add_seats(const Link& link, const std::vector<int>& seats,
   const bool behind = table != nullptr && table->used_sides == std::vector<Side>{Side::kBack};
   for (std::size_t t = 0; t < seats.size(); ++t) {
     const std::string& desk = id(tables[std::min(t, tables.size() - 1)]);
-    add(link, behind ? R::kTuckedUnder : R::kInFrontOf, {id(seats[t])}, {desk});
+    add(link, behind ? R::kTuckedUnder : user_side(tables.front(), true), {id(seats[t])}, {desk});
     if (!behind) add(link, R::kFacing, {id(seats[t])}, {desk});
   }
 }

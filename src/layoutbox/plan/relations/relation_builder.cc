@@ -61,6 +61,8 @@ void RelationBuilder::run() {
   leave_middle_to_rows();
   make_room_between();
   stand_in_corners();
+  sit_off_the_fire();
+  leave_corners_to_servers();
   add_habits();
   note_contradictions();
   drop_implied_support();

@@ -82,13 +82,15 @@ class RelationBuilder : private RelationWriter {
   // Small things that stand on the host wherever they are said to be by it.
   bool lie_on(const Link& link, const std::vector<int>& items, int host) const;
   bool add_laden_sides(const Link& link, const PhraseSense& sense, const std::vector<int>& targets, int host);
-  RelationType user_side(int host) const;
+  RelationType user_side(int host, bool one = false) const;  // one: the only seat at it
   bool seats_one_side(const Link& link, int seat, int host) const;
   void add_group(const Link& link, PhraseSense sense, const std::vector<int>& targets, const std::vector<int>& references,
                  const Mention* place);
   void add_single(const Link& link, PhraseSense sense, const Mention& target, const std::vector<int>& references, const Mention* place);
   std::string wall_behind(int item) const;
   void stand_in_corners();
+  void sit_off_the_fire();
+  void leave_corners_to_servers();
   void add_in_leg(const Link& link, const Mention& target, const NounPhrase& place);
   static bool is_curtain(const NounPhrase& noun);
   void add_in_room(const Link& link, const PhraseSense& sense, const Mention& target, const NounPhrase& place);

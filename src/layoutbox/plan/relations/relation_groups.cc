@@ -40,7 +40,7 @@ void RelationBuilder::add_group(const Link& link, PhraseSense sense, const std::
       for (std::size_t t = 0; t < targets.size(); ++t) {
         const bool even = targets.size() % references.size() == 0;  // … and then each has those that follow each other, as everywhere
         const std::string& host = id(references[even ? t * references.size() / targets.size() : t % references.size()]);
-        add(link, user_side(references.front()), {id(targets[t])}, {host});
+        add(link, user_side(references.front(), targets.size() == references.size()), {id(targets[t])}, {host});
         add(link, R::kFacing, {id(targets[t])}, {host});
       }
       return;

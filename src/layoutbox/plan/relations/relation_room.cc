@@ -85,6 +85,44 @@ std::vector<std::string> RelationBuilder::opening_ids(const NounPhrase& noun) co
   return ids;
 }
 
+// "A counter at the back left": who serves over it stands behind it, so it is not pushed into the corner.
+void RelationBuilder::leave_corners_to_servers() {
+  for (Relation& relation : scene_.relations) {
+    if (relation.type != R::kCorner || relation.targets.size() != 1 || relation.references.size() != 2) continue;
+    const SceneObject* object = object_of(relation.targets.front());
+    const CatalogEntry* entry = object == nullptr ? nullptr : catalog_.find(object->category);
+    const bool served =
+        entry != nullptr && entry->is(Trait::kOpenToRoom) && std::ranges::find(entry->used_sides, Side::kBack) != entry->used_sides.end();
+    if (!served || entry->used_sides.size() > 2) continue;
+    const auto at = [&](std::string_view wall) { return std::ranges::find(relation.references, wall) != relation.references.end(); };
+    if (at("back") == at("front") || at("left") == at("right")) continue;
+    relation.type = R::kInRegion;
+    relation.parameters = {};
+    relation.parameters.region = at("back") ? (at("left") ? RoomRegion::kBackLeft : RoomRegion::kBackRight)
+                                            : (at("left") ? RoomRegion::kFrontLeft : RoomRegion::kFrontRight);
+    relation.references.clear();
+  }
+}
+
+// "Two armchairs by the fire": before it, as near as one sits to a fire, and not at its side.
+void RelationBuilder::sit_off_the_fire() {
+  const auto is = [&](const std::string& id, Trait trait) {
+    const SceneObject* object = object_of(id);
+    const CatalogEntry* entry = object == nullptr ? nullptr : catalog_.find(object->category);
+    return entry != nullptr && entry->is(trait);
+  };
+  for (Relation& relation : scene_.relations) {
+    if (relation.type != R::kNextTo || relation.references.size() != 1 || !is(relation.references[0], Trait::kFire)) continue;
+    const bool seats = std::ranges::all_of(relation.targets,
+                                           [&](const std::string& id) { return is(id, Trait::kEasySeat) && !is(id, Trait::kCenterPiece); });
+    const auto pair = std::ranges::count_if(scene_.relations, [&](const Relation& other) {
+      return other.references == relation.references && other.why == relation.why && other.targets.size() == 1;
+    });
+    if (seats && pair > 1 && !relation.parameters.max && (words_.have(relation, "by") || words_.have(relation, "at")))
+      relation.type = R::kNear;
+  }
+}
+
 // "flush left on the back wall", "against the back and the left wall": its back at the one, a side at the other.
 void RelationBuilder::stand_in_corners() {
   const auto is_at = [](const Relation& r, std::string_view one, std::string_view other) {

@@ -47,9 +47,11 @@ bool RelationBuilder::seats_one_side(const Link& link, int seat, int host) const
 }
 
 // Where one sits at it: pupils and teachers behind their desks, which look at the class or the board.
-RelationType RelationBuilder::user_side(int host) const {
+RelationType RelationBuilder::user_side(int host, bool one) const {
   const CatalogEntry* entry = noun_of_item(host).entry;
-  return entry != nullptr && entry->used_sides == std::vector{Side::kBack} ? R::kBehind : R::kInFrontOf;
+  if (entry == nullptr) return R::kInFrontOf;
+  const bool receives = entry->is(Trait::kDesk) && entry->is(Trait::kOpenToRoom);  // its only seat is not the visitor's
+  return entry->used_sides == std::vector{Side::kBack} || (one && receives) ? R::kBehind : R::kInFrontOf;
 }
 
 // What lies flat shares the middle with what stands there.
@@ -59,6 +61,8 @@ void RelationBuilder::add_in_middle(const Link& link, const PhraseSense& sense, 
     (noun_of_item(target).entry != nullptr && noun_of_item(target).entry->thin ? flat : standing).push_back(target);
   if (!flat.empty()) add(link, sense.type, ids(flat), {}, sense);
   if (!standing.empty()) add(link, sense.type, ids(standing), {}, sense);
+  constexpr std::size_t kRow = 3;
+  if (standing.size() >= kRow && one_of(document_.tokens[link.first].text, {"down", "along"})) add(link, R::kRow, ids(standing), {});
   if (flat.size() == 1 && standing.size() == 1) add(link, R::kUnder, ids(flat), ids(standing));
 }
 

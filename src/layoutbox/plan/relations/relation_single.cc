@@ -25,7 +25,13 @@ std::string RelationBuilder::wall_behind(int item) const {
 
 // The walls or the openings that several things share out: "on the side walls", "curtains at both windows"; empty: they are at one.
 std::vector<std::string> RelationBuilder::shared_places(const PhraseSense& sense, const Mention& target, const NounPhrase& place) const {
-  if (!is_opening(place)) return shared_walls(place, sense.type == R::kOnWall && !is_tall(target.noun));
+  if (!is_opening(place)) {
+    std::vector<std::string> walls = shared_walls(place, sense.type == R::kOnWall && !is_tall(target.noun));
+    // "ten chairs along two walls": those who wait face each other
+    const bool any_two = walls.size() == 2 && place.wall_word.empty() && place.wall_relation.empty() && is_seat(catalog_, target.noun);
+    if (any_two && walls[1] == "back") walls[1] = "right";
+    return walls;
+  }
   const bool several = place.determiner == Determiner::kEach || place.determiner == Determiner::kBoth || place.is_plural();
   if (!several) return {};
   constexpr int kAll = 100;
@@ -184,7 +190,7 @@ bool RelationBuilder::add_by_one(const Link& link, const PhraseSense& sense, con
     return true;
   }
   if (!at) return false;
-  add(link, user_side(reference), {id(target.items.front())}, {id(reference)});
+  add(link, user_side(reference, !several), {id(target.items.front())}, {id(reference)});
   add(link, R::kFacing, {id(target.items.front())}, {id(reference)});
   return true;
 }
@@ -268,6 +274,15 @@ bool RelationBuilder::add_as_many(const Link& link, const PhraseSense& sense, co
   // "a dumbbell rack, a mirror wall on the right"
   if (mount == Mount::kWall && target.noun.name.ends_with(" wall")) {
     for (const int item : target.items) add(link, R::kOnWall, {id(item)}, {left ? "left" : "right"});
+    return true;
+  }
+  // "a couch in the centre, wall bars on the left": of the room, of which the couch is the middle.
+  const bool at_wall = mount == Mount::kWall || (mount == Mount::kFloor && target.noun.entry != nullptr && target.noun.entry->back_to_wall);
+  const bool central = std::ranges::any_of(relations_of(id(references.front())),
+                                           [&](std::size_t r) { return scene_.relations[r].type == R::kCenterOfRoom; });
+  if (at_wall && central && one_of(document_.tokens[link.first].text, {"on", "to", "at"})) {
+    for (const int item : target.items)
+      add(link, mount == Mount::kWall ? R::kOnWall : R::kAgainstWall, {id(item)}, {left ? "left" : "right"});
     return true;
   }
   // "a bench for the judge, twelve seats on the right": so many do not stand beside one thing.

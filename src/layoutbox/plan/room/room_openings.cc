@@ -68,6 +68,7 @@ std::pair<std::string, std::string> walls_by_length(const NounPhrase& noun, cons
 int openings_said(const NounPhrase& noun) {
   if (noun.wall_word == "ends" || noun.wall_word == "lengths") return std::max(2, noun.count);  // "a window at both ends"
   const bool glass = noun.kind == NounKind::kWindow && opening_look(OpeningType::kWindow, {words_of_opening(noun)}).whole;
+  if (noun.count == 0 && glass && noun.plural && noun.name.ends_with("walls")) return 3;  // all but the one with the door
   if (noun.count == 0 && (glass || (noun.kind == NounKind::kWindow && is_front(OpeningType::kWindow, noun)))) return 1;
   if (noun.kind == NounKind::kDoor && noun.plural) {
     const OpeningLook look = opening_look(OpeningType::kDoor, {words_of_opening(noun)});

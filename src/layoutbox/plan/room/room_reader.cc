@@ -52,7 +52,7 @@ void set_kind(const Document& document, SceneGraph& scene) {
   for (const NounPhrase& noun : document.rooms) {
     if (noun.kind != NounKind::kRoom) continue;
     const std::string type = room_type(noun);
-    describe_room(noun, document, room);
+    if (type.empty() || types.empty() || type == types.front()) describe_room(noun, document, room);  // not "a tiny kitchen" of a flat
     if (!type.empty() && std::find(types.begin(), types.end(), type) == types.end()) types.push_back(type);
   }
   // "Our basement should become a cinema": what it is to be, not where it is.

@@ -91,6 +91,8 @@ class Habits {
   void stand_in_table_axis(ItemId item);
   bool is_looked_at(ItemId item) const;
   bool only_told_across(ItemId item) const;
+  bool only_told_fire(ItemId item) const;
+  bool only_told_part_or_opening(ItemId item) const;
   bool leave_room_behind(ItemId item);
   ItemId board_of_room() const;
   void face_the_class(ItemId item);
@@ -114,6 +116,7 @@ class Habits {
   void lie_before(ItemId item, ItemId sofa);
   void lie_before_use(ItemId item, ItemId host);
   void open_well(ItemId item);
+  std::pair<int, int> window_in_wall(ItemId item) const;
   void leave_wall_free(ItemId item);
 
   // Habits of what hangs on walls and from ceilings.

@@ -94,7 +94,7 @@ bool Habits::share_length_of_table(ItemId item) {
   return true;
 }
 
-// What hangs from the ceiling down to the floor beside a bed or a couch (a ward's curtain) hangs along its long side.
+// What hangs from the ceiling down to the floor beside a bed or a couch (a ward's curtain, a tub's) hangs along its long side.
 bool Habits::hang_along(ItemId item) {
   constexpr Mm kOff = 120;
   const ItemId host = curtained_by(item);
@@ -102,8 +102,9 @@ bool Habits::hang_along(ItemId item) {
   Formula f;
   for_each_turn(model_.items[host], [&](int turn, std::uint64_t states) {
     if (turn % 90 != 0) return;
-    const int along = side_direction(model_.items[host], Side::kBack, turn).axis;
-    for (const Side side : {Side::kLeft, Side::kRight}) {
+    const bool wide = model_.items[host].states[0].size.width > model_.items[host].states[0].size.depth;  // a tub
+    const int along = side_direction(model_.items[host], wide ? Side::kLeft : Side::kBack, turn).axis;
+    for (const Side side : wide ? std::vector{Side::kFront} : std::vector{Side::kLeft, Side::kRight}) {
       const Direction d = side_direction(model_.items[host], side, turn);
       Case& c = f.add().when(host, states).when(item, states_with_width_along(model_.items[item], along));
       c.wish(gap_towards(item, host, d) - Linear(kOff), kHangs).wish(mid2(item, along) - mid2(host, along), kHangs, 2);

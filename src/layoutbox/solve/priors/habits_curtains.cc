@@ -6,12 +6,19 @@ namespace layoutbox::placement {
 // The bed or couch that it is told to hang next to, else where nothing is told the bed of its rank, if any.
 ItemId Habits::curtained_by(ItemId item) const {
   constexpr Mm kLong = 1500;
+  const auto longest_of = [&](ItemId host) {
+    const Size& size = model_.items[host].states[0].size;
+    return std::max(size.width, size.depth);
+  };
   if (!model_.items[item].curtain) return {};
   for (const Relation* r : said_of(item)) {
     const ItemId host = r->type == RelationType::kNextTo && r->references.size() == 1 ? model_.find_item(r->references[0]) : ItemId();
     if (!host.exists() || !related_as_target(item, host, r->type) || model_.items[host].is_opening()) continue;
-    if (model_.items[host].is(Trait::kBed) || model_.items[host].states[0].size.depth >= kLong) return host;
+    if (model_.items[host].is(Trait::kBed) || longest_of(host) >= kLong) return host;
   }
+  // A curtain for tubs hangs at one though nobody says so, and never at the window.
+  const std::vector<ItemId> usual = items_of_kinds(model_.items[item].entry->beside, item);
+  if (!usual.empty()) return usual.front();
   if (told_where_it_hangs(item)) return {};
   std::vector<ItemId> beds;
   for (const ItemId i : model_.items.ids()) {

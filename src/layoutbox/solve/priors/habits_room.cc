@@ -19,6 +19,18 @@ bool Habits::only_told_across(ItemId item) const {
   });
 }
 
+// "A counter at the back left", "a till just inside the door": which says nothing of how far off a wall it is.
+bool Habits::only_told_part_or_opening(ItemId item) const {
+  return std::ranges::all_of(model_.scene->relations, [&](const Relation& r) {
+    if (std::ranges::find(r.targets, model_.items[item].id) == r.targets.end()) return true;
+    const bool opening = !r.references.empty() && std::ranges::all_of(r.references, [&](const std::string& id) {
+      const ItemId other = model_.find_item(id);
+      return other.exists() && model_.items[other].is_opening();
+    });
+    return r.type == RelationType::kInRegion || r.type == RelationType::kFacing || (traits_of(r.type).close_by && opening);
+  });
+}
+
 // A desk that somebody is told to sit behind, or a counter that somebody serves over, stands off the wall, its front to the room.
 bool Habits::leave_room_behind(ItemId item) {
   constexpr Mm kForSitter = 1100, kForServer = 590;
@@ -30,7 +42,8 @@ bool Habits::leave_room_behind(ItemId item) {
   const bool served_over = open && self.is(Trait::kCounter) && used.size() < 4 && !is_window_bar(item);  // no island
   if ((!self.is(Trait::kDeskLike) || (!open && !told)) && !served_over) return false;
   face_the_class(item);
-  if (placed_besides_facing(item) && !only_told_across(item)) return true;
+  const bool placed = placed_besides_facing(item) && !only_told_across(item);
+  if (placed && !(open && only_told_part_or_opening(item))) return true;
   Formula f;
   for (const RoomWall& wall : model_.walls) {
     if (!wall.straight) continue;
@@ -38,7 +51,7 @@ bool Habits::leave_room_behind(ItemId item) {
     c.wish(gap_towards(item, place_of(model_, wall), {wall.normal(), wall.inward}) -
                Linear(served_over ? kForServer + depth_behind_server(item) : kForSitter),
            kBehind);
-    wish_middle_of_wall(c, model_, item, wall, kMiddle);
+    if (!placed) wish_middle_of_wall(c, model_, item, wall, kMiddle);
   }
   if (!f.cases.empty()) habit("room behind", item, kBehind, std::move(f));
   return true;
@@ -167,7 +180,23 @@ void Habits::leave_wall_free(ItemId item) {
   if (any_taken && !f.cases.empty()) habit("leaves the wall free", item, kWallFree, std::move(f));
 }
 
-// Doors near a corner, the front wall first; windows in the middle of a wall that the picture shows.
+// How many windows share the wall that the opening is said to be in, and how many of them come before it; a window of no said wall is
+// alone, a door of none has none beside it.
+std::pair<int, int> Habits::window_in_wall(ItemId item) const {
+  const Opening& opening = *model_.items[item].opening;
+  const bool window = opening.type == OpeningType::kWindow;
+  if (opening.wall.empty()) return {0, window ? 1 : 0};
+  int rank = 0, count = 0;
+  for (const ItemId i : model_.items.ids()) {
+    const Item& other = model_.items[i];
+    if (!other.is_opening() || other.opening->type != OpeningType::kWindow || other.opening->wall != opening.wall) continue;
+    rank += i < item, ++count;
+  }
+  return {rank, count};
+}
+
+// Doors near a corner, the front wall first, or between two windows; windows in the middle of a wall that the picture shows, several
+// spread over it.
 void Habits::open_well(ItemId item) {
   const Opening& opening = *model_.items[item].opening;
   if (opening.offset) return;
@@ -177,8 +206,14 @@ void Habits::open_well(ItemId item) {
     if (!wall.straight || (!opening.wall.empty() && wall.id != opening.wall)) continue;
     const std::uint64_t states = model_.items[item].states_at(wall.turn);
     if (opening.type == OpeningType::kWindow) {
-      Case& c = f.add().when(item, states).wish(mid2(item, wall.along) - Linear(std::int64_t{wall.lo} + wall.hi), kOpeningPlace, 2);
+      const auto [rank, count] = window_in_wall(item);
+      const std::int64_t middle = 2 * std::int64_t{wall.lo} + (2 * rank + 1) * (std::int64_t{wall.hi} - wall.lo) / count;
+      Case& c = f.add().when(item, states).wish(mid2(item, wall.along) - Linear(middle), kOpeningPlace, 2);
       c.price = std::max(0, 3000 - (wall.hi - wall.lo)) / 40 + (wall.turn == 180 || wall.turn == 270 ? 40 : 0);
+      continue;
+    }
+    if (const auto [rank, count] = window_in_wall(item); count > 0 && count % 2 == 0) {  // "a window on each side of it"
+      f.add().when(item, states).wish(mid2(item, wall.along) - Linear(std::int64_t{wall.lo} + wall.hi), kOpeningPlace, 2);
       continue;
     }
     for (const bool low : {true, false}) {

@@ -15,9 +15,18 @@ std::vector<ItemId> Habits::loose_easy_chairs(ItemId item) const {
   for (const ItemId other : model_.items.ids()) {
     const Item& seat = model_.items[other];
     if (seat.is_opening() || seat.entry != model_.items[item].entry || seat.mount != Mount::kFloor || seat.fixed) continue;
-    if (seat.is(Trait::kEasySeat) && seat.has_front && !placed_besides_facing(other)) seats.push_back(other);
+    if (seat.is(Trait::kEasySeat) && seat.has_front && (!placed_besides_facing(other) || only_told_fire(other))) seats.push_back(other);
   }
   return seats;
+}
+
+// "By the fire", and nothing else.
+bool Habits::only_told_fire(ItemId item) const {
+  return std::ranges::all_of(model_.scene->relations, [&](const Relation& r) {
+    if (!r.hard || std::ranges::find(r.targets, model_.items[item].id) == r.targets.end()) return true;
+    const ItemId by = r.references.size() == 1 ? model_.find_item(r.references[0]) : ItemId();
+    return r.type == RelationType::kFacing || (r.type == RelationType::kNear && by.exists() && model_.items[by].is(Trait::kFire));
+  });
 }
 
 // Easy chairs by a sofa that looks at nothing else sit before it: across from it side by side, or at its ends, looking along it.
