@@ -124,6 +124,9 @@ class Decoder {
   Referent whole_of(const State& state, int u, Kind kind, int member) const;
   void attach_to(std::size_t s, int u, Kind kind, std::size_t level);
   void have_actions(std::size_t s, int u);
+  void finite_have_actions(std::size_t s, int u);
+  double finite_score(const State& state, int u, int member, int steps) const;
+  double own_place_score(int u) const;
   bool tops_clause(const State& state, int u) const;
   bool is_told_by_itself(const State& state, int member) const;
   bool is_placed_apart(const State& state, int member) const;
@@ -207,6 +210,7 @@ class Decoder {
   double before_other_score(const State& state, const NounPhrase& target, Referent referent, const PhraseSenses& senses) const;
   bool is_carried(const State& state, Referent referent) const;
   bool lies_on(const State& state, Referent one, Referent other) const;
+  bool is_tied_to(const State& state, Referent referent, Referent subject, const PhraseSenses* senses, bool list) const;
   bool is_told_on_floor(const State& state, int subject) const;
   double antecedent_place_score(const State& state, Referent referent, Referent subject, const PhraseSenses& senses,
                                 const NounPhrase* noun) const;

@@ -69,6 +69,25 @@ int Decoder::things_of(const State& state, Referent referent, bool list) const {
   return things;
 }
 
+// What lies on the subject, what it lies on, itself, what has it: nothing is placed by these.
+bool Decoder::is_tied_to(const State& state, Referent referent, Referent subject, const PhraseSenses* senses, bool list) const {
+  // Nothing is placed by what lies on it, nor between what it has.
+  const bool between = senses != nullptr && says(*senses, RelationType::kBetween);
+  if (subject >= 0 && referent >= 0 && (between || mount_of(noun_of(state, referent)) == Mount::kSurface) &&
+      host_of(state, referent) == subject)
+    return true;
+  if (subject >= 0 && referent >= 0 && lies_on(state, referent, subject)) return true;  // "an apron is on a hook near it"
+  // "a camera on a tripod faces it"
+  if (subject >= 0 && referent >= 0 && senses != nullptr && !says(*senses, &RelationTraits::rests) && lies_on(state, subject, referent))
+    return true;
+  // Nothing stands between itself, or what has it, and something else.
+  const Referent host = subject >= 0 ? host_of(state, subject) : kNobody;
+  for (int m = list ? referent : -1; m >= 0; m = read_as(state, m).former) {
+    if ((subject != kNobody && same(state, m, subject)) || (host != kNobody && same(state, m, host))) return true;
+  }
+  return false;
+}
+
 bool Decoder::consider(std::vector<Candidate>& all, const State& state, Referent referent, double order, Referent subject,
                        const PhraseSenses* senses, const NounPhrase* noun, bool list) const {
   if (referent == kNobody) return false;
@@ -79,20 +98,10 @@ bool Decoder::consider(std::vector<Candidate>& all, const State& state, Referent
   if (!is_thing(state, referent) && !(opening && senses != nullptr && noun != nullptr && speaks_of_openings(*noun))) return false;
   const bool more = subject >= 0 && says_one_of(document_, chunk(subject).noun.last, {"more"});  // "two beds …, two more opposite them"
   if (subject != kNobody && !more && !is_of_one_group(state, referent, subject, noun) && same(state, referent, subject)) return false;
-  // Nothing is placed by what lies on it, nor between what it has.
-  const bool between = senses != nullptr && says(*senses, RelationType::kBetween);
-  if (subject >= 0 && referent >= 0 && (between || mount_of(meant) == Mount::kSurface) && host_of(state, referent) == subject) return false;
-  if (subject >= 0 && referent >= 0 && lies_on(state, referent, subject)) return false;  // "an apron is on a hook near it"
-  // "a camera on a tripod faces it"
-  if (subject >= 0 && referent >= 0 && senses != nullptr && !says(*senses, &RelationTraits::rests) && lies_on(state, subject, referent))
-    return false;
-  // Nothing stands between itself, or what has it, and something else.
-  const Referent host = subject >= 0 ? host_of(state, subject) : kNobody;
-  for (int m = list ? referent : -1; m >= 0; m = read_as(state, m).former) {
-    if ((subject != kNobody && same(state, m, subject)) || (host != kNobody && same(state, m, host))) return false;
-  }
+  if (is_tied_to(state, referent, subject, senses, list)) return false;
   // "a tub under the window, a stool next to it": seldom the window by which something else was placed.
   const bool by_opening = opening && referent >= 0 && read_as(state, referent).role == NounRole::kReference;
+  const bool between = senses != nullptr && says(*senses, RelationType::kBetween);
   // "a stove, two armchairs, a rug between them": between two, not three.
   const bool crowd = between && things_of(state, referent, list) > 2;
   double score = (crowd ? weight::kBetweenMany : 0) + weight::kOrder * order + (by_opening ? weight::kItIsOpening : opening ? -0.3 : 0);

@@ -28,11 +28,7 @@ double Decoder::attach_score(const State& state, int u, int level, bool inverse)
   score += parallel_score(state, u, member);
   // "turned towards a cello on its stand": the cello's
   if (nearer == 0 && unit(u).joiner == Joiner::kNone && names_own_carrier(u)) score += weight::kOwnCarrier;
-  const bool floats = member + 1 == u && chunk(member).noun.kind == NounKind::kMember && chunk(member).noun.determiner == Determiner::kEach;
-  const std::optional<double> retold = level > 0 && finite_place(u) && member == state.told ? retold_score(state, u) : std::nullopt;
-  if (retold) score += *retold - weight::kLevelAfterComma * steps;
-  if (level > 0 && finite_place(u) && !retold)
-    score += floats ? -weight::kFiniteRoot : weight::kFiniteRoot;  // "three chairs each face a mirror"
+  if (level > 0 && finite_place(u)) score += finite_score(state, u, member, steps);
   if (word(u) == "from" && level > 0) score += weight::kFromRoot;
   if (!inverse && hangs_twice(state, u, member)) score += weight::kPlacedTwice;
   if (!inverse && lies_twice(state, u, member)) score += weight::kLiesTwice;
@@ -43,6 +39,15 @@ double Decoder::attach_score(const State& state, int u, int level, bool inverse)
   if (member + 1 == u && unit(u).joiner == Joiner::kNone && is_one_of_several(member)) return score + weight::kTellsWhich;
   score += is_known(state, member) ? weight::kKnownSubject : weight::kDefiniteSubject;
   return score;
+}
+
+// A finite verb that is a place, of another thing than the clause's own, so many steps away from that.
+double Decoder::finite_score(const State& state, int u, int member, int steps) const {
+  const std::optional<double> retold = member == state.told ? retold_score(state, u) : std::nullopt;
+  if (retold) return *retold - weight::kLevelAfterComma * steps;
+  // "three chairs each face a mirror"
+  const bool floats = member + 1 == u && chunk(member).noun.kind == NounKind::kMember && chunk(member).noun.determiner == Determiner::kEach;
+  return floats ? -weight::kFiniteRoot : weight::kFiniteRoot;
 }
 
 // "on its stand"
@@ -105,7 +110,8 @@ bool Decoder::lies_twice(const State& state, int u, int member) const {
 // "with a stool holding a candle and a book beside it": the stool has no place yet, and the book has one.
 bool Decoder::lies_on_unplaced(const State& state, int u, int member) const {
   const Referent host = host_of(state, member);
-  if (!follows(u, UnitKind::kNoun) || chunk(u + 1).noun.head != "it" || unit(u).joiner != Joiner::kNone || !is_thing(state, host)) return false;
+  if (!follows(u, UnitKind::kNoun) || chunk(u + 1).noun.head != "it" || unit(u).joiner != Joiner::kNone || !is_thing(state, host))
+    return false;
   if (host < 0 || is_placed_apart(state, host) || read_as(state, host).role != NounRole::kContent) return false;
   return carries_list(read_as(state, member).predicate) && mount_of(noun_of(state, member)) == Mount::kSurface &&
          mount_of(noun_of(state, host)) == Mount::kFloor && !says(unit(u).direct, &RelationTraits::rests);
@@ -132,7 +138,8 @@ bool Decoder::stands_otherwise(const State& state, int u, int member) const {
   if (far == close(unit(u).direct)) return false;
   for (int before = 0; before < u; ++before) {
     const UnitReading& place = read_as(state, before);
-    if (!is(before, UnitKind::kPlace) || place.inverse || place.alone || place.subject != member || !is(before + 1, UnitKind::kNoun)) continue;
+    if (!is(before, UnitKind::kPlace) || place.inverse || place.alone || place.subject != member || !is(before + 1, UnitKind::kNoun))
+      continue;
     if ((far ? close(unit(before).direct) : away(unit(before).direct)) && same(state, before + 1, u + 1)) return true;
   }
   return false;

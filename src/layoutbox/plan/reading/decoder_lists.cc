@@ -156,6 +156,12 @@ double Decoder::fronted_score(const State& state, int u) const {
   return score;
 }
 
+// What speaks against sharing a place that came first, for a noun that has one of its own.
+double Decoder::own_place_score(int u) const {
+  const bool says_whose = chunk(u).noun.determiner == Determiner::kPossessive && word(u) == "its";  // "…, its stool in front"
+  return weight::kOwnPlace * (unit(u).joiner == Joiner::kComma || says_whose ? 2 : 1) + (says_whose ? weight::kItsOwnPlace : 0);
+}
+
 // With what the clause is about, or a clause of its own; `gain`: what speaks for either.
 void Decoder::root_list_actions(std::size_t s, int u, double gain) {
   const State& state = states_[s];
@@ -177,11 +183,9 @@ void Decoder::root_list_actions(std::size_t s, int u, double gain) {
     const double elsewhere = placed && placed_by_clause(state, u) ? weight::kPlacedByList : 0;
     const bool own_place =
         placed && !state.fronted.empty() && !(share > 0 && mount_of(noun) == Mount::kSurface) && !(share >= 0 && on_part_of_top(state, u));
-    const bool says_whose = noun.determiner == Determiner::kPossessive && word(u) == "its";  // "…, its stool in front"
     add(s, kNextRoot,
         gain + (agrees && !state.fronted.empty() ? weight::kAgrees : 0) + std::max(share, ends ? weight::kEndsList : -2.5) +
-            (own_place ? weight::kOwnPlace * (unit(u).joiner == Joiner::kComma || says_whose ? 2 : 1) : 0) +
-            (own_place && says_whose ? weight::kItsOwnPlace : 0) + elsewhere,
+            (own_place ? own_place_score(u) : 0) + elsewhere,
         state.frontier.front());
   }
   const double untold = of_clause || subject || placed ? 0 : told_nothing(u);

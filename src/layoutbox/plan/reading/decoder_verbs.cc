@@ -15,6 +15,18 @@ bool is_room_like(NounKind kind) {
 
 }  // namespace
 
+// "holds", "has": of what the clause, or the relative clause before it, is about.
+void Decoder::finite_have_actions(std::size_t s, int u) {
+  const State& state = states_[s];
+  for (std::size_t level = 0; level < state.frontier.size(); ++level) {
+    const int member = state.frontier[level];
+    const NounKind kind = noun_of(state, member).kind;
+    if (!is_thing(state, member) && kind != NounKind::kWall && kind != NounKind::kCorner && kind != NounKind::kPart) continue;
+    const std::optional<double> again = member == state.told ? retold_score(state, u) : std::nullopt;
+    add(s, kHaveThing, (level == 0 ? 0.5 : again ? 0.5 + *again : -2.5) + weight::kTree * tree_.for_noun(u, member), member, member);
+  }
+}
+
 void Decoder::have_actions(std::size_t s, int u) {
   const State& state = states_[s];
   const std::string& how = word(u);
@@ -40,13 +52,7 @@ void Decoder::have_actions(std::size_t s, int u) {
     }
   }
   if (finite && state.relative < 0) {
-    for (std::size_t level = 0; level < state.frontier.size(); ++level) {
-      const int member = state.frontier[level];
-      const NounKind kind = noun_of(state, member).kind;
-      if (!is_thing(state, member) && kind != NounKind::kWall && kind != NounKind::kCorner && kind != NounKind::kPart) continue;
-      const std::optional<double> again = member == state.told ? retold_score(state, u) : std::nullopt;
-      add(s, kHaveThing, (level == 0 ? 0.5 : again ? 0.5 + *again : -2.5) + weight::kTree * tree_.for_noun(u, member), member, member);
-    }
+    finite_have_actions(s, u);
   } else {
     attach_actions(s, u, kHaveThing);
     if (tops_clause(state, u)) {

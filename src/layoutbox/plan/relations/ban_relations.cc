@@ -7,9 +7,10 @@
 #include "layoutbox/plan/relations/relation_writer.h"
 
 namespace layoutbox::offline {
-namespace {
 
 using R = RelationType;
+
+namespace {
 
 class BanBuilder : public RelationWriter {
  public:
