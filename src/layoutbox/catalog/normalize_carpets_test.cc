@@ -38,7 +38,7 @@ TEST(NormalizeWorktops, AWorkbenchAlongAWallIsLong) {
     at.why = why;
     SceneGraph scene = scene_of({object("bench_1", "workbench")}, {at});
     scene.room.polygon = {{0, 0}, {9000, 0}, {9000, 6000}, {0, 6000}};
-    return with_whole_catalogue(std::move(scene)).find_object("bench_1")->size->usual.width;
+    return with_whole_catalogue(scene).find_object("bench_1")->size->usual.width;
   };
   EXPECT_GT(width("along the back wall"), 2500);
   EXPECT_LT(width("on the back wall"), 2000);
