@@ -10,6 +10,7 @@
 #include "layoutbox/plan/passes/corrections.h"
 #include "layoutbox/plan/passes/courtesy.h"
 #include "layoutbox/plan/passes/examples.h"
+#include "layoutbox/plan/passes/for_each.h"
 #include "layoutbox/plan/passes/forward_counts.h"
 #include "layoutbox/plan/passes/halves.h"
 #include "layoutbox/plan/passes/inserts.h"

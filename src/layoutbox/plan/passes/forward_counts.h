@@ -15,12 +15,6 @@ void settle_forward_wholes(const Lexicon& lexicon, Document& document);
 // "8 beds as bunks": four bunk beds.
 void settle_bunks(const Lexicon& lexicon, Document& document);
 
-// For how many the room is, as said before the chunk at k: "two boys", "the twins"; 0: nobody says.
-int people_before(const Lexicon& lexicon, const std::vector<Chunk>& chunks, std::size_t k);
-
-// "for two girls: bed, desk and wardrobe for each": as many as there are people.
-void settle_for_each(const Lexicon& lexicon, Document& document);
-
 // "leave space round the bed. A single bed, …": what is first spoken of by "the" is what the later mention brings in.
 void settle_forward_names(Document& document);
 

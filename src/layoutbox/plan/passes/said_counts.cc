@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -179,6 +180,16 @@ class SaidCounts {
     leave_out(i + 1, last);
   }
 
+  // Behind the first of the wordings that stands at `at`; `at` where none does.
+  std::size_t past_first_of(std::span<const Words> wordings, std::size_t at) const {
+    for (const Words& words : wordings) {
+      std::size_t t = at;
+      while (t - at < words.size() && is(t, words[t - at])) ++t;
+      if (t - at == words.size()) return t;
+    }
+    return at;
+  }
+
   std::size_t past_unit(std::size_t at) const {
     static const std::array<Words, 12> kUnits{{{"in", "number"},
                                                {"at", "the", "very", "most"},
@@ -192,12 +203,7 @@ class SaidCounts {
                                                {"units"},
                                                {"max"},
                                                {"min"}}};
-    for (const Words& unit : kUnits) {
-      std::size_t t = at;
-      while (t - at < unit.size() && is(t, unit[t - at])) ++t;
-      if (t - at == unit.size()) return t;
-    }
-    return at;
+    return past_first_of(kUnits, at);
   }
 
   // Words that say a sum is to come ("so", "that makes", "for a total of"), before the number at `number`: where they begin, else `number`.
@@ -237,12 +243,7 @@ class SaidCounts {
                                                {"altogether"},
                                                {"overall"},
                                                {"totally"}}};
-    for (const Words& trail : kTrails) {
-      std::size_t t = at;
-      while (t - at < trail.size() && is(t, trail[t - at])) ++t;
-      if (t - at == trail.size()) return t;
-    }
-    return at;
+    return past_first_of(kTrails, at);
   }
 
   // "…, so four chairs in all", "(that's 8 stools)": what was counted before, summed up.

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "layoutbox/catalog/trait_table.h"
-#include "layoutbox/plan/passes/forward_counts.h"
+#include "layoutbox/plan/passes/for_each.h"
 
 namespace layoutbox::offline {
 namespace {

@@ -149,4 +149,42 @@ bool NounPhraseReader::read_superlative() {
   return done_ = true;
 }
 
+// "one of the beds", "two of them", "each of which".
+bool NounPhraseReader::read_subset() {
+  if (!at_word("of") || i_ + 1 >= tokens_.size()) return false;
+  const Token& next = tokens_[i_ + 1];
+  if (next.text == "which" || next.text == "them" || next.text == "these" || next.text == "those" || next.text == "whom") {
+    const bool alone = i_ + 2 >= tokens_.size() || !lexicon_.find(tokens_, i_ + 2, WordClass::kObject).length || next.text == "which" ||
+                       next.text == "them";
+    if (alone) {
+      phrase_.kind = NounKind::kMember;
+      phrase_.subset = true;
+      i_ += 2;
+      return done_ = true;
+    }
+  }
+  const bool counted = phrase_.determiner == Determiner::kEach && number_follows(1);  // "in each of two corners"
+  if (lexicon_.is(next, WordClass::kDefinite) || lexicon_.is(next, WordClass::kPossessive) || counted) {
+    auto base = read_noun_phrase(lexicon_, tokens_, i_ + 1, false);
+    const bool part_of_room = base && (base->kind == NounKind::kWall || base->kind == NounKind::kCorner ||
+                                       base->kind == NounKind::kWindow || base->kind == NounKind::kDoor);
+    if (part_of_room || (base && counted && base->kind == NounKind::kObject)) {  // "three of the walls", "by one of the windows"
+      if (phrase_.determiner == Determiner::kEach) base->determiner = Determiner::kEach;
+      if (phrase_.count > 0) base->count = phrase_.count;
+      base->first = phrase_.first;
+      phrase_ = std::move(*base);
+      i_ = phrase_.last;
+      return done_ = true;
+    }
+    if (base && base->kind == NounKind::kObject) {
+      phrase_.kind = NounKind::kMember;
+      phrase_.subset = true;
+      i_ = base->last;
+      phrase_.of = std::make_shared<NounPhrase>(std::move(*base));
+      return done_ = true;
+    }
+  }
+  return false;
+}
+
 }  // namespace layoutbox::offline

@@ -1,6 +1,6 @@
 // The class behind read_noun_phrase; its members stand in noun_phrase (what it is called), noun_phrase_open (how it opens),
-// noun_phrase_members (which of several), noun_phrase_words (where it ends), noun_phrase_read (its words) and noun_phrase_head (what its
-// head is).
+// noun_phrase_count (how many), noun_phrase_members (which of several), noun_phrase_words (where it ends), noun_phrase_read (its words)
+// and noun_phrase_head (what its head is).
 #pragma once
 
 #include <algorithm>

@@ -61,6 +61,7 @@ class Scribe {
   int pair_just_related();
   int pair_of_a_name();
   int thing_of_zone(int u, const NounPhrase& noun) const;
+  void add_have(int content, std::vector<int> hosts, std::size_t first, std::size_t last);
   bool trails_each(int u);
   bool write_set(int u);
   void mark_noun(int u, int mention);

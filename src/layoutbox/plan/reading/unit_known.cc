@@ -1,4 +1,4 @@
-// Noun phrases whose company says what they are: things among things, things spoken of again, shares of what was named.
+// Noun phrases whose company says what they are: things among things, things spoken of again, shares and numbers of what was named.
 #include "layoutbox/plan/phrases/knowledge.h"
 #include "layoutbox/plan/phrases/reader_words.h"
 #include "layoutbox/plan/reading/unit_reader.h"
@@ -125,6 +125,34 @@ bool UnitReader::speaks_again(std::size_t k) const {
   if (units_.empty()) return reference || !tells(next(one));
   const bool just_named = units_.back().chunk == one && chunk(one).noun.determiner != Determiner::kNone;
   return just_named || (reference && one >= units_.front().chunk);
+}
+
+// "(two per side, so four)", "three each, making six in all": the number that was not said with the things.
+bool UnitReader::sums_up(std::size_t k) const {
+  if (!is(k, ChunkKind::kNoun) || chunk(k).first == 0) return false;
+  const NounPhrase& noun = chunk(k).noun;
+  const std::size_t n = next(k);
+  const bool ends = n >= document_.chunks.size() || is(n, ChunkKind::kStop) || is(n, ChunkKind::kComma);
+  return noun.kind == NounKind::kMember && noun.count > 1 && noun.attributes.empty() && !noun.of && ends &&
+         one_of(document_.tokens[chunk(k).first - 1].text, {"so", "making", "makes", "totaling", "giving"});
+}
+
+// "chairs around the table, eight of them", "lamps (three)": how many of what was named before.
+bool UnitReader::counts_before(std::size_t k) {
+  const NounPhrase& noun = chunk(k).noun;
+  const bool alone = noun.kind == NounKind::kMember && noun.attributes.empty() && noun.ordinal == 0 && !noun.of;
+  const std::size_t n = next(k);
+  const bool listed = joiner_ == Joiner::kComma && (is(n, ChunkKind::kStop) || is(n, ChunkKind::kComma));
+  if (!alone || noun.count < 2 || !(listed || sums_up(k))) return false;
+  for (std::size_t u = units_.size(); u-- > 0;) {
+    if (units_[u].kind != UnitKind::kNoun) continue;
+    NounPhrase& named = document_.chunks[units_[u].chunk].noun;
+    if (named.kind != NounKind::kObject || !named.plural || named.count > 0) continue;
+    named.count = noun.count;
+    mark(k, WordReading::Use::kUsed, "how many");
+    return true;
+  }
+  return false;
 }
 
 }  // namespace layoutbox::offline

@@ -1,5 +1,5 @@
-// The class behind build_relations; its members stand in relation_builder, relation_single, contents, support, mounts,
-// relation_habits and contradictions.
+// The class behind build_relations; its members stand in relation_builder, relation_single, relation_for_each, relation_in_room,
+// contents, support, mounts, relation_habits and contradictions.
 #pragma once
 
 #include <algorithm>

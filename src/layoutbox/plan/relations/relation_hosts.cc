@@ -154,4 +154,21 @@ std::string RelationBuilder::carrier_said(int item) const {
   return {};
 }
 
+bool RelationBuilder::holds_inside(const NounPhrase& host) const {
+  if (one_of(host.head, WordSet::kClosedFurniture)) return false;
+  return is_storage(host) && has_inside(host);
+}
+
+bool RelationBuilder::has_inside(const NounPhrase& host) const {
+  if (host.entry == nullptr) return is_storage(host);
+  if (host.entry->is(Trait::kVessel)) return true;
+  return std::any_of(host.entry->spaces.begin(), host.entry->spaces.end(), [](const SpaceFormula& s) { return s.carries; });
+}
+
+// "four croissants inside", said of what has no inside of its own, or of which nothing is known: it is hollow for them.
+bool RelationBuilder::is_hollow_by(const Link& link, const NounPhrase& host) const {
+  if (!one_of(document_.tokens[link.first].text, WordSet::kInside) || mount_of(host) == Mount::kWall) return false;
+  return host.entry == nullptr || !host.exact || !(host.entry->thin || host.entry->top_carries || is_sat_on(host));
+}
+
 }  // namespace layoutbox::offline

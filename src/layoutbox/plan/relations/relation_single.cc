@@ -5,78 +5,12 @@
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/phrases/knowledge.h"
 #include "layoutbox/plan/relations/relation_builder_parts.h"
-#include "layoutbox/plan/room/room_reader.h"
 #include "layoutbox/plan/words/word_sets.h"
-#include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox::offline {
 
 using R = RelationType;
 using Direction = PhraseSense::Direction;
-
-// The wall that the thing was put against; empty: none.
-std::string RelationBuilder::wall_behind(int item) const {
-  for (const std::size_t r : relations_of(id(item))) {
-    const Relation& relation = scene_.relations[r];
-    if (relation.type == R::kAgainstWall && !relation.references.empty()) return relation.references.front();
-  }
-  return {};
-}
-
-// The walls or the openings that several things share out: "on the side walls", "curtains at both windows"; empty: they are at one.
-std::vector<std::string> RelationBuilder::shared_places(const PhraseSense& sense, const Mention& target, const NounPhrase& place) const {
-  if (!is_opening(place)) {
-    std::vector<std::string> walls = shared_walls(place, sense.type == R::kOnWall && !is_tall(target.noun));
-    // "ten chairs along two walls": those who wait face each other
-    const bool any_two = walls.size() == 2 && place.wall_word.empty() && place.wall_relation.empty() && is_seat(catalog_, target.noun);
-    if (any_two && walls[1] == "back") walls[1] = "right";
-    return walls;
-  }
-  const bool several = place.determiner == Determiner::kEach || place.determiner == Determiner::kBoth || place.is_plural();
-  if (!several) return {};
-  constexpr int kAll = 100;
-  NounPhrase every = place;
-  if (place.count < 2) every.count = kAll;
-  const std::vector<std::string> all = opening_ids(every);
-  return all.size() > 1 ? all : std::vector<std::string>{};
-}
-
-bool RelationBuilder::is_curtain(const NounPhrase& noun) { return noun.entry != nullptr && noun.entry->is(Trait::kCurtain); }
-
-// By a part of the room.
-void RelationBuilder::add_in_room(const Link& link, const PhraseSense& sense, const Mention& target, const NounPhrase& place) {
-  if (place.niche) return add_in_niche(link, target);
-  if (place.kind == NounKind::kFloor) {
-    for (const int item : target.items) {
-      const Mount mount = mount_of(noun_of_item(item));
-      const bool hung = mount == Mount::kHung || is_curtain(noun_of_item(item));  // "drapes that pool on the floor"
-      if (mount != Mount::kFloor && !hung) add(link, R::kOn, {id(item)}, {"floor"});
-    }
-    return;
-  }
-  // "at the very center of the compartment": whatever the room is called
-  if (traits_of(sense.type).rests && sense.part.has(PartWord::kCenter)) {
-    for (const int item : target.items) add(link, R::kCenterOfRoom, {id(item)}, {});
-    return;
-  }
-  if (place.kind == NounKind::kRoom && (traits_of(sense.type).rests || sense.type == R::kInside)) return;
-  if (sense.type == R::kCorner) return add_corners(link, target, place);
-  // "1 m away from the walls": from each of them
-  if (sense.type == R::kDistance && place.kind == NounKind::kWall && place.is_plural() && place.wall_word.empty() && !link.at_most) {
-    for (const int item : target.items) add(link, R::kAwayFromWall, {id(item)}, {});
-    return;
-  }
-  const std::vector<std::string> shared = target.items.size() > 1 ? shared_places(sense, target, place) : std::vector<std::string>{};
-  for (std::size_t t = 0; t < target.items.size() && !shared.empty(); ++t)
-    add(link, sense.type, {id(target.items[t])}, {shared[t % shared.size()]}, sense);
-  if (!shared.empty()) return;
-  if (sense.type == R::kOpposite) add_wall_opposite(link, target);
-  for (const int item : target.items) {
-    const std::string own = sense.type == R::kFacing && place.kind == NounKind::kWall && place.plural ? wall_behind(item) : std::string{};
-    add(link, sense.type, {id(item)}, own.empty() ? room_reference(place, sense.type) : std::vector<std::string>{own}, sense);
-    if (sense.type == R::kOpposite) add_across(link, item, room_reference(place, sense.type));
-  }
-}
 
 // "on the left side of the desk" is on the desk for what stands on desks, beside it for the rest.
 bool RelationBuilder::is_side_on(const Link& link, const PhraseSense& sense, const NounPhrase& thing, const NounPhrase& host) const {
@@ -251,147 +185,10 @@ void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Ment
   add_for_each(link, sense, target, references);
 }
 
-// "A fan over them", of two armchairs: over the table that is between them.
-bool RelationBuilder::add_over_table_between(const Link& link, const PhraseSense& sense, const Mention& target,
-                                             const std::vector<int>& references) {
-  if (sense.type != R::kAbove || target.items.size() != 1 || references.size() != 2 || mount_of(target.noun) != Mount::kCeiling)
-    return false;
-  const auto between = std::ranges::find_if(
-      scene_.relations, [&](const Relation& r) { return r.type == R::kBetween && r.references == ids(references) && !r.targets.empty(); });
-  if (between == scene_.relations.end()) return false;
-  add(link, R::kAbove, ids(target.items), {between->targets.front()});
-  return true;
-}
-
-// Rows behind a rail; what is at a side of the room and not of one thing.
-bool RelationBuilder::add_as_many(const Link& link, const PhraseSense& sense, const Mention& target, const std::vector<int>& references) {
-  constexpr std::size_t kMostBeside = 3;
-  if (references.size() != 1) return false;
-  if (add_rows_behind(link, sense, target, references.front())) return true;
-  if ((sense.type != R::kLeftOf && sense.type != R::kRightOf) || !link.implied) return false;
-  const bool left = sense.type == R::kLeftOf;
-  const Mount mount = mount_of(target.noun);
-  // "a dumbbell rack, a mirror wall on the right"
-  if (mount == Mount::kWall && target.noun.name.ends_with(" wall")) {
-    for (const int item : target.items) add(link, R::kOnWall, {id(item)}, {left ? "left" : "right"});
-    return true;
-  }
-  // "a couch in the centre, wall bars on the left": of the room, of which the couch is the middle.
-  const bool at_wall = mount == Mount::kWall || (mount == Mount::kFloor && target.noun.entry != nullptr && target.noun.entry->back_to_wall);
-  const bool central = std::ranges::any_of(relations_of(id(references.front())),
-                                           [&](std::size_t r) { return scene_.relations[r].type == R::kCenterOfRoom; });
-  if (at_wall && central && one_of(document_.tokens[link.first].text, {"on", "to", "at"})) {
-    for (const int item : target.items)
-      add(link, mount == Mount::kWall ? R::kOnWall : R::kAgainstWall, {id(item)}, {left ? "left" : "right"});
-    return true;
-  }
-  // "a bench for the judge, twelve seats on the right": so many do not stand beside one thing.
-  if (mount != Mount::kFloor || target.items.size() <= kMostBeside) return false;
-  const PhraseSense side{R::kInRegion, Direction::kDirect, {}, left ? RoomRegion::kLeft : RoomRegion::kRight, {}};
-  for (const int item : target.items) add(link, side.type, {id(item)}, {}, side);
-  return true;
-}
-
-// As many as there are references: one for each; more: shared out; fewer: by all that can be so.
-void RelationBuilder::add_for_each(const Link& link, PhraseSense sense, const Mention& target, const std::vector<int>& references) {
-  const bool seat_at = references.size() > 1 && sits_at(link, sense, target.noun, noun_of_item(references.front()));
-  if (seat_at && target.items.size() > references.size()) {
-    add_group(link, {R::kAround, Direction::kDirect, {}, {}, {}}, target.items, references, nullptr);
-    return;
-  }
-  if (seat_at) sense.type = user_side(references.front());  // "a chair at each"
-  const std::size_t n = target.items.size(), m = references.size();
-  // "a bouquet waits behind both", "to the left of the monitors": of all of them.
-  const bool both = sense.type == R::kAbove && m == 2 && says_one_of(document_, link.last - 1, {"both"});  // "a shelf above both"
-  if (add_over_table_between(link, sense, target, references)) return;
-  const bool sided = both || sense.type == R::kBehind || sense.type == R::kLeftOf || sense.type == R::kRightOf;
-  const bool all = sense.type == R::kInFrontOf || sense.type == R::kOpposite || sided;
-  if (sense.type == R::kOpposite && m == 1 && n > 1) {  // as a group
-    add(link, sense.type, ids(target.items), {id(references.front())}, sense);
-    for (const int item : target.items) add_across(link, item, {id(references.front())});
-    return;
-  }
-  for (std::size_t t = 0; t < n; ++t) {
-    const int item = target.items[t];
-    if (m == 1) {
-      add(link, sense.type, {id(item)}, {id(references.front())}, sense);
-      if (sense.type == R::kOpposite) add_across(link, item, {id(references.front())});
-      add_look(link, sense.type, item, references.front());
-    } else if (n > 1 || !all) {
-      // As many as there are references: one for each; more: shared out; fewer: the first.
-      const std::size_t r = n >= m ? t * m / n : t;
-      add(link, sense.type, {id(item)}, {id(references[n > 1 ? r : 0])}, sense);
-      add_look(link, sense.type, item, references[n > 1 ? r : 0]);
-    } else {
-      for (const int reference : references) {
-        // Nothing is straight opposite two beds that stand side by side, no keyboard in front of two screens; it is across from both.
-        Link one = link;
-        const bool beside_all = sense.type == R::kInFrontOf && mount_of(target.noun) != Mount::kSurface;
-        one.soft |= !beside_all && reference != references.front();
-        add(one, sense.type, {id(item)}, {id(reference)}, sense);
-        if (sense.type == R::kOpposite) add_across(link, item, {id(reference)});
-      }
-      add_look(link, sense.type, item, references.front());
-    }
-  }
-}
-
-// "a desk in the alcove": against the alcove's own wall, where that is long enough.
-void RelationBuilder::add_in_niche(const Link& link, const Mention& target) {
-  const std::string wall = document_.niche ? wall_of_niche(scene_.room, *document_.niche) : std::string{};
-  if (wall.empty()) return;
-  for (const int item : target.items) {
-    const NounPhrase& noun = noun_of_item(item);
-    const Mount mount = mount_of(noun);
-    if (mount == Mount::kWall) {
-      add(link, R::kOnWall, {id(item)}, {wall});
-    } else if (mount == Mount::kFloor) {
-      Link there = link;
-      there.soft |= noun.entry != nullptr && noun.entry->size.least.width > mm_from_m(document_.niche->width);
-      add(there, R::kAgainstWall, {id(item)}, {wall});
-    }
-  }
-}
-
-std::vector<std::string> RelationBuilder::shared_walls(const NounPhrase& walls, bool boards) const {
-  const bool every = walls.determiner == Determiner::kEach && walls.wall_word.empty();  // "tall shelves on every wall": not the front one
-  if (walls.kind != NounKind::kWall || !(walls.is_plural() || walls.determiner == Determiner::kBoth || every)) return {};
-  const bool sides = walls.name.find("side wall") != std::string::npos || walls.name.find("long") != std::string::npos;
-  if (every && sides) return {"left", "right"};
-  if (every && boards) return {"back", "left", "right", "front"};
-  if (every) return {"left", "back", "right"};
-  const auto said = [&](std::string_view word) {
-    return walls.wall_relation == word || std::find(walls.attributes.begin(), walls.attributes.end(), word) != walls.attributes.end();
-  };
-  if (const auto [one, other] = walls_by_length(walls, scene_.room); !one.empty() && !scene_.room.polygon.empty()) return {one, other};
-  if (walls.count >= 3) return {"left", "back", "right"};
-  const bool pair = said("opposite") || walls.determiner == Determiner::kBoth || walls.name.find("side wall") != std::string::npos ||
-                    walls.name.find("long") != std::string::npos;
-  if (pair) return {"left", "right"};
-  return said("adjacent") || walls.count == 2 ? std::vector<std::string>{"left", "back"} : std::vector<std::string>{};
-}
-
 bool RelationBuilder::flanks(const NounPhrase& thing, const NounPhrase& host) const {
   if (thing.entry == nullptr || host.entry == nullptr) return false;
   if (!one_of(host.head, WordSet::kLainOn)) return false;
   return stands_by(catalog_, thing, host);
-}
-
-bool RelationBuilder::holds_inside(const NounPhrase& host) const {
-  if (one_of(host.head, WordSet::kClosedFurniture)) return false;
-  return is_storage(host) && has_inside(host);
-}
-
-bool RelationBuilder::has_inside(const NounPhrase& host) const {
-  if (host.entry == nullptr) return is_storage(host);
-  if (host.entry->is(Trait::kVessel)) return true;
-  return std::any_of(host.entry->spaces.begin(), host.entry->spaces.end(), [](const SpaceFormula& s) { return s.carries; });
-}
-
-// "four croissants inside", said of what has no inside of its own, or of which nothing is known: it is hollow for them.
-bool RelationBuilder::is_hollow_by(const Link& link, const NounPhrase& host) const {
-  if (!one_of(document_.tokens[link.first].text, WordSet::kInside) || mount_of(host) == Mount::kWall) return false;
-  return host.entry == nullptr || !host.exact || !(host.entry->thin || host.entry->top_carries || is_sat_on(host));
 }
 
 void RelationBuilder::add_look(const Link& link, R type, int item, int reference) {
@@ -407,4 +204,5 @@ void RelationBuilder::add_look(const Link& link, R type, int item, int reference
   look.concluded = true;
   add(look, R::kFacing, {id(item)}, {id(reference)});
 }
+
 }  // namespace layoutbox::offline
