@@ -35,6 +35,7 @@ std::string unused_id(const SceneGraph& scene, const std::string& base) {
 Result<SceneGraph> normalize_scene(SceneGraph scene, const Catalog& catalog, const NormalizeOptions& options) {
   NormalizeContext context{scene, catalog, options, {}, {}};
   hang_curtains_at_windows(context);
+  hang_shelves_under_mirrors(context);
   normalize_objects(context);
   normalize_hosts(context);
   normalize_guests(context);

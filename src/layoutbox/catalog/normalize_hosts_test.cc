@@ -109,5 +109,21 @@ TEST(NormalizeHosts, WhatIsInSomethingFitsItWhereThatFitsWhatItStandsOn) {
   EXPECT_LE(width(1), width(2));
 }
 
+// A shelf below mirrors on the wall hangs there, along all of them.
+TEST(NormalizeHosts, ShelvesBelowMirrorsHang) {
+  std::vector<SceneObject> objects{object("shelf_1", "shelf")};
+  std::vector<Relation> relations;
+  for (const std::string k : {"1", "2", "3"}) {
+    objects.push_back(object("mirror_" + k, "mirror"));
+    objects.push_back(object("salon_chair_" + k, "salon_chair"));
+    relations.push_back(relation(RelationType::kInFrontOf, {"salon_chair_" + k}, {"mirror_" + k}));
+    relations.push_back(relation(RelationType::kAbove, {"mirror_" + k}, {"shelf_1"}));
+  }
+  const Catalog& catalog = Catalog::builtin();
+  const SceneGraph scene = *normalize_scene(scene_of(objects, relations), catalog);
+  EXPECT_EQ(scene.find_object("shelf_1")->mount, Mount::kWall);
+  EXPECT_GT(scene.find_object("shelf_1")->size->usual.width, 2500);
+}
+
 }  // namespace
 }  // namespace layoutbox

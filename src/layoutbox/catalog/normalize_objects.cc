@@ -45,6 +45,9 @@ class ObjectNormalizer {
     if (!object_.mount) settle_mount(entry);
     settle_size(entry);
     if (is_toppled(object_.attributes, *object_.mount) && !object_.fixed && !object_.hint.position) topple(entry);
+    if (hangs_flat(entry, *object_.mount) && object_.size->usual.depth > object_.size->usual.height && !object_.fixed) {
+      for (Size* one : {&object_.size->least, &object_.size->usual, &object_.size->greatest}) *one = hung_flat(entry, *one);
+    }
     if (!object_.used_sides) object_.used_sides = entry.used_sides;
   }
 

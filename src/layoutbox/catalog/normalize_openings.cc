@@ -130,18 +130,23 @@ class OpeningNormalizer {
     return {};
   }
 
-  // Of what is told to stand side by side under a window whose width is ours to choose: two desks want more of it than one.
+  // Of what is told to stand side by side under a window whose width is ours to choose: two desks want more of it than one. Tables that
+  // are sat at also where they are told to be by it; one may be past its end.
   Mm width_of_what_is_under(const Opening& window) const {
     Mm width = 0;
+    int tables_by_it = 0;
     std::vector<std::string> seen;
     for (const Relation& relation : context_.scene.relations) {
-      if (relation.type != RelationType::kUnderWindow || window.type != OpeningType::kWindow) continue;
+      const bool by = relation.type == RelationType::kNextTo && names(relation.references, window.id);
+      if ((relation.type != RelationType::kUnderWindow && !by) || window.type != OpeningType::kWindow) continue;
       const bool here = relation.references.empty() || std::ranges::find(relation.references, window.id) != relation.references.end();
       for (const std::string& id : relation.targets) {
         const SceneObject* object = context_.scene.find_object(id);
         if (!here || object == nullptr || !object->size || std::ranges::find(seen, id) != seen.end()) continue;
+        if (by && !is_sat_at(id)) continue;
+        if (by && ++tables_by_it == 1) continue;
         seen.push_back(id);
-        width += object->size->usual.width + (is_sat_round(id) ? kSeatsBeside : kBetweenUnderWindow);
+        width += object->size->usual.width + (by || is_sat_round(id) ? kSeatsBeside : kBetweenUnderWindow);
       }
     }
     return width;
@@ -164,6 +169,15 @@ class OpeningNormalizer {
     const Mm head = window.sill + window.height;
     window.sill = (top + kGridMm - 1) / kGridMm * kGridMm;
     window.height = std::max(kLeastGlass, head - window.sill);
+  }
+
+  // By seats that are told to be round it or by it.
+  bool is_sat_at(const std::string& id) const {
+    return is_sat_round(id) || std::ranges::any_of(context_.scene.relations, [&](const Relation& relation) {
+             const SceneObject* seat = relation.targets.empty() ? nullptr : context_.scene.find_object(relation.targets[0]);
+             return seat != nullptr && traits_of(relation.type).close_by && names(relation.references, id) &&
+                    context_.catalog.entry_or_nearest(seat->category).is(Trait::kTableSeat);
+           });
   }
 
   bool is_sat_round(const std::string& id) const {

@@ -26,6 +26,9 @@ struct NormalizeContext {
 // Curtains "on", "over" or "in front of" a window hang at it: none of them stands on its sill or hangs above it.
 void hang_curtains_at_windows(NormalizeContext& context);
 
+// A shelf below a mirror on the wall hangs there too, along all the mirrors that it is below.
+void hang_shelves_under_mirrors(NormalizeContext& context);
+
 // Ids, categories, sizes, used sides and mounts of all objects.
 void normalize_objects(NormalizeContext& context);
 

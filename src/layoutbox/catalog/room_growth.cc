@@ -64,6 +64,25 @@ std::set<std::string_view> kinds_in_classes(const SceneGraph& scene) {
   return in_classes;
 }
 
+// What is eaten at in numbers wants the floor round each table for who sits there and a way, however small the room is said to be; mm².
+double floor_round_tables(const NormalizeContext& context) {
+  constexpr Mm kRound = 1300;  // from table to table
+  constexpr double kBesides = 1.45;
+  constexpr int kMany = 6;
+  std::map<std::string, std::pair<int, double>> of_kind;
+  double floor = 0;
+  for (const SceneObject& object : context.scene.objects) {
+    const CatalogEntry& entry = context.catalog.entry_or_nearest(object.category);
+    if (object.mount != Mount::kFloor || !object.size || !entry.is(Trait::kTable) || entry.has_front || entry.is(Trait::kCoffeeTable))
+      continue;
+    const Size& size = object.size->usual;
+    auto& [count, wanted] = of_kind[entry.id];
+    ++count, wanted += double(size.width + kRound) * (size.depth + kRound) * kBesides;
+    if (count >= kMany) floor = std::max(floor, wanted);
+  }
+  return floor;
+}
+
 }  // namespace
 
 double growth_for_furniture(const NormalizeContext& context, double area, double longest_side) {
@@ -86,7 +105,8 @@ double growth_for_furniture(const NormalizeContext& context, double area, double
                                                          std::min(1.0, std::max(kSmallestShare, factor * kSmallestArea / area)), 1.0))
                                   : 1.0;
   const bool crowd = holds_crowd(context);
-  return std::max({least, std::sqrt(covered / (crowd ? kMostCoveredByCrowd : kMostCovered) / area),
+  return std::max({least, std::sqrt(floor_round_tables(context) / area),
+                   std::sqrt(covered / (crowd ? kMostCoveredByCrowd : kMostCovered) / area),
                    std::sqrt(used / (crowd ? kMostUsedByCrowd : kMostUsed) / area), (longest + 600) / longest_side});
 }
 

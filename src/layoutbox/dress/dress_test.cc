@@ -10,6 +10,7 @@
 #include "layoutbox/catalog/dressing.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/dress/free_room.h"
+#include "layoutbox/dress/hinges.h"
 #include "layoutbox/dress/places.h"
 #include "layoutbox/dress/test_dressed_room.h"
 #include "layoutbox/scene/scene_json.h"
@@ -275,6 +276,29 @@ TEST(Dress, TheDataNamesWhatIsThere) {
     for (const std::string& kind : theme.without) EXPECT_TRUE(exists(kind)) << kind;
     for (const std::string& place : theme.places) EXPECT_NE(dressing::find_place(place), nullptr) << place;
   }
+}
+
+// A door hangs where its open leaf has less behind it: away from the shelf beside it, at the corner where both sides are free.
+TEST(Dress, DoorsHangClearOfWhatIsBesideThem) {
+  for (const bool shelf : {false, true}) {
+    DressedRoom room("bedroom", 4, 3.4);
+    if (shelf) room.put("bookshelf", 1.45, 0.16, 180);
+    SceneGraph scene;
+    Layout layout = room.layout();
+    layout.room.openings[0].swing = Swing::kInLeft;  // at the end of its wall, away from the corner
+    scene.room = layout.room;
+    EXPECT_EQ(hang_doors_clear(scene, layout, catalog()), 1U) << shelf;
+    EXPECT_EQ(layout.room.openings[0].swing, Swing::kInRight);
+    EXPECT_EQ(scene.room.openings[0].swing, Swing::kInRight);
+    EXPECT_EQ(hang_doors_clear(scene, layout, catalog()), 0U) << "it stays there";
+  }
+  DressedRoom room("bedroom", 4, 3.4);  // something hangs on the wall that the leaf would open against
+  room.opening(OpeningType::kDoor, "wall3", 0.3, 0.9, 2.0, 0).hang("painting", 3.98, 3.0, 1.2, 90, "wall2");
+  SceneGraph scene;
+  Layout layout = room.layout();
+  layout.room.openings[1].swing = Swing::kInLeft;
+  hang_doors_clear(scene, layout, catalog());
+  EXPECT_EQ(layout.room.openings[1].swing, Swing::kInLeft);
 }
 
 }  // namespace

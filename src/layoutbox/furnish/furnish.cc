@@ -85,6 +85,15 @@ Node laid_down(Node node, const CatalogEntry& entry, const Size& upright) {
   return node;
 }
 
+// Its top to the room, its bottom to the wall, as hung_flat() has it.
+Node hung_up(Node node, const CatalogEntry& entry, const Size& lying) {
+  const double w = m_from_mm(lying.width), d = m_from_mm(lying.depth), h = m_from_mm(lying.height);
+  const kit::Pose pose = hangs_lengthwise(entry) ? kit::Pose{{0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, h / 2, w / 2}}
+                                                 : kit::Pose{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}, {0, h / 2, d / 2}};
+  for (Part& part : node.parts) part.mesh = kit::posed(std::move(part.mesh), pose);
+  return node;
+}
+
 // By what is said of it: "an old workbench".
 double wear_of(const PlacedObject& object) {
   double wear = wear_said(object.name);
@@ -109,7 +118,9 @@ Result<Node> object_node(const PlacedObject& object, const Catalog& catalog, con
   const bool lies = is_toppled(object.attributes, object.mount);
   PlacedObject upright = object;
   if (lies) upright.size = toppled(entry, object.size), upright.spaces.clear();
-  std::vector<FreeSpace> spaces = free_spaces(upright, entry, lies ? nullptr : layout);
+  const bool flat = hangs_flat(entry, object.mount) && object.size.depth <= object.size.height;
+  if (flat) upright.size = laid_flat(entry, object.size), upright.spaces.clear();
+  std::vector<FreeSpace> spaces = free_spaces(upright, entry, lies || flat ? nullptr : layout);
   const double raised = lower_onto_floor(spaces);
   PlacedObject body = upright;
   body.size.height -= static_cast<Mm>(std::lround(raised * 1000));
@@ -121,6 +132,7 @@ Result<Node> object_node(const PlacedObject& object, const Catalog& catalog, con
   kit::family_or_generic(entry.shape.family)(piece);
   if (raised > 0) piece.raise(raised);
   palette.wear_from_now(before);
+  if (flat) return placed(hung_up(piece.take_node(), entry, upright.size));
   return placed(lies ? laid_down(piece.take_node(), entry, upright.size) : piece.take_node());
 }
 

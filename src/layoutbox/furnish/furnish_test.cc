@@ -168,6 +168,27 @@ TEST(Furnish, WhatWasKnockedOverLies) {
   }
 }
 
+// A sword on a wall is flat on it, whichever way its kind lies on a table.
+TEST(Furnish, WhatLiesByNatureHangsFlat) {
+  for (const char* kind : {"sword", "tennis_racket"}) {
+    PlacedObject object = object_of(kind);
+    object.mount = Mount::kWall;
+    object.size = hung_flat(catalog().entry_or_nearest(kind), object.size);
+    EXPECT_LT(object.size.depth, std::min(object.size.width, object.size.height)) << kind;
+    kit::Box all{{9, 9, 9}, {-9, -9, -9}};
+    const Model model = furnished(object);  // outlives the loop
+    for (const Part& part : model.nodes.at(0).parts) {
+      const kit::Box b = kit::bounds(part.mesh);
+      all.min.x = std::min(all.min.x, b.min.x), all.min.y = std::min(all.min.y, b.min.y), all.min.z = std::min(all.min.z, b.min.z);
+      all.max.x = std::max(all.max.x, b.max.x), all.max.y = std::max(all.max.y, b.max.y), all.max.z = std::max(all.max.z, b.max.z);
+    }
+    EXPECT_NEAR(all.min.z, 0, 0.006) << kind;
+    EXPECT_NEAR(all.size().x, m_from_mm(object.size.width), 0.012) << kind;
+    EXPECT_NEAR(all.size().y, m_from_mm(object.size.depth), 0.012) << kind;
+    EXPECT_NEAR(all.size().z, m_from_mm(object.size.height), 0.012) << kind;
+  }
+}
+
 // The door of an open machine is before it, over free floor.
 TEST(Furnish, OpenMachinesShowTheirInside) {
   for (const char* kind : {"dishwasher", "oven", "fridge", "locker", "wardrobe", "cabinet"}) {

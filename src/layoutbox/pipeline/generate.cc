@@ -179,12 +179,18 @@ class RoomRun {
     if (!plan_ || !comes_with_more(*plan_, options_)) return {};
     begin();
     const SceneGraph undressed = outcome_.scene;
+    const auto swings = [&] {
+      std::vector<Swing> all;
+      for (const Opening& opening : outcome_.layout.room.openings) all.push_back(opening.swing);
+      return all;
+    };
+    const std::vector<Swing> before = swings();
     const std::size_t added = dress_room(*plan_, outcome_.scene, outcome_.layout, catalog_, options_);
     for (Layout& layout : outcome_.more_layouts) {
       SceneGraph scene = undressed;
       dress_room(*plan_, scene, layout, catalog_, options_);
     }
-    if (added == 0 && outcome_.more_layouts.empty()) return {};
+    if (added == 0 && before == swings() && outcome_.more_layouts.empty()) return {};
     folder_.forget_files();
     LAYOUTBOX_CHECK(folder_.write_artefacts(Stage::kPlan, room()));
     LAYOUTBOX_CHECK(write_variant_layouts(folder_, room(), outcome_.more_layouts));

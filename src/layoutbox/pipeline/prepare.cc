@@ -1,6 +1,7 @@
 // What every way to a room shares: a scene made ready for the solver, and whether a room is as asked.
 #include "layoutbox/base/words.h"
 #include "layoutbox/dress/dress.h"
+#include "layoutbox/dress/hinges.h"
 #include "layoutbox/pipeline/generate.h"
 #include "layoutbox/plan/companions.h"
 #include "layoutbox/plan/open_rows.h"
@@ -34,6 +35,7 @@ Result<SceneGraph> prepare_plan(const Plan& plan, const Catalog& catalog, const 
 
 std::size_t dress_room(const Plan& plan, SceneGraph& scene, Layout& layout, const Catalog& catalog, const GenerateOptions& options) {
   if (!comes_with_more(plan, options)) return 0;
+  hang_doors_clear(scene, layout, catalog);
   const std::size_t added = dress(scene, layout, catalog, Spoken(scene, plan.unwanted, catalog));
   if (added > 0) scene.notes.push_back({"filled", counted(added, "thing") + " dress the finished room where it was free", "prompt"});
   return added;

@@ -243,5 +243,48 @@ TEST(WorkingGroups, InFrontOfAMirrorOneLooksIntoIt) {
   }
 }
 
+// Four mirrors along a wall hang in their order, each with its chair.
+TEST(WorkingGroups, ChairsBeforeMirrorsOfOneWallAreAbreast) {
+  SceneMaker maker(5500, 4500);
+  maker.add("salon_chair", 4).add("mirror", 4);
+  for (const std::string k : {"1", "2", "3", "4"}) {
+    maker.relate("facing", {"salon_chair_" + k}, {"mirror_" + k}).relate("onWall", {"mirror_" + k}, {"wall2"});
+    maker.add("wall_shelf").relate("under", {"wall_shelf_" + k}, {"mirror_" + k});
+  }
+  const Layout layout = solved_as_asked(maker.make(true));
+  const auto y_of = [&](const std::string& k) { return layout.find_object("salon_chair_" + k)->position[1]; };
+  const bool up = y_of("2") > y_of("1");
+  for (const auto& [one, next] : {std::pair{"1", "2"}, std::pair{"2", "3"}, std::pair{"3", "4"}}) {
+    EXPECT_GT(up ? y_of(next) - y_of(one) : y_of(one) - y_of(next), 900) << one;
+    EXPECT_NEAR(layout.find_object(std::string("salon_chair_") + one)->position[0],
+                layout.find_object(std::string("salon_chair_") + next)->position[0], 100);
+  }
+}
+
+// A table of a kind stands clear of the others, also where all are told to be by one window, and in line with them.
+TEST(WorkingGroups, TablesByAWindowStandInLineAndApart) {
+  SceneMaker maker(8000, 6000);
+  maker.add("bistro_table", 3).add("folding_chair", 6);
+  for (int k = 1; k <= 3; ++k) {
+    const std::string table = "bistro_table_" + std::to_string(k);
+    maker.relate("nextTo", {table}, {"window1"});
+    for (int seat : {2 * k - 1, 2 * k}) maker.relate("nextTo", {"folding_chair_" + std::to_string(seat)}, {table});
+  }
+  const Layout layout = solved_as_asked(maker.make(true));
+  for (const auto& [one, other] : {std::pair{1, 2}, std::pair{2, 3}, std::pair{1, 3}})
+    EXPECT_GT(apart(layout, "bistro_table_" + std::to_string(one), "bistro_table_" + std::to_string(other)), 800) << one << other;
+}
+
+// What lies by nature hangs flat on a wall, not on its end.
+TEST(WorkingGroups, ASwordHangsFlatOnItsWall) {
+  SceneMaker maker(5000, 4000);
+  maker.add("fireplace").add("sword").relate("onWall", {"sword_1"}).relate("above", {"sword_1"}, {"fireplace_1"});
+  const Layout layout = solved_as_asked(maker.make(true));
+  const PlacedObject& sword = *layout.find_object("sword_1");
+  EXPECT_LT(sword.size.depth, 100);
+  const auto& at = sword.position;
+  EXPECT_LT(std::min({at[0], at[1], 5000 - at[0], 4000 - at[1]}), 100) << "its middle is at the wall";
+}
+
 }  // namespace
 }  // namespace layoutbox::placement

@@ -67,6 +67,7 @@ void Habits::stand(ItemId index) {
   face_entrance(index);
   keep_off_play(index);
   keep_off_sofas(index);
+  keep_off_other_tables(index);
   keep_off_beds(index);
   keep_hall_free(index);
   keep_off_sitters_rug(index);

@@ -130,6 +130,7 @@ class Habits {
   std::vector<ItemId> usually_under(ItemId item) const;
   ItemId seat_facing(ItemId item) const;
   bool hang_in_row(ItemId item);
+  bool begin_row(ItemId item, Mm pitch, int count);
   bool hang_in_row_over(ItemId item);
   bool is_of_few_on_wall(ItemId item) const;
   void share_wall_out(ItemId item);
@@ -213,6 +214,7 @@ class Habits {
   void stay_under_loft(ItemId item);
   bool is_dined_at(ItemId item) const;
   void keep_off_sofas(ItemId item);
+  void keep_off_other_tables(ItemId item);
   void keep_off_beds(ItemId item);
   void keep_hall_free(ItemId item);
   void keep_off_sitters_rug(ItemId item);

@@ -42,6 +42,36 @@ void Habits::keep_off_sofas(ItemId item) {
   }
 }
 
+// Tables that are dined at leave room between them for who sits at both and a way through; told to be by the same wall or window, they
+// stand in line along it.
+void Habits::keep_off_other_tables(ItemId item) {
+  constexpr Mm kSeatsAndWay = 900;
+  constexpr int kApart = 400, kInLineByWall = 200;  // points a metre
+  if (!is_dined_at(item)) return;
+  const auto sides_of_room = [&](ItemId table) {
+    std::vector<std::pair<RelationType, std::vector<std::string>>> told;
+    for (const Relation* r : said_of(table)) {
+      const ItemId reference = r->references.size() == 1 ? model_.find_item(r->references[0]) : ItemId();
+      const bool at_side = traits_of(r->type).back_to_wall || (reference.exists() && model_.items[reference].is_opening());
+      if (at_side && std::ranges::find(r->targets, model_.items[table].id) != r->targets.end()) told.emplace_back(r->type, r->references);
+    }
+    return told;
+  };
+  const auto mine = sides_of_room(item);
+  for (const ItemId other : ids_before(item)) {
+    if (model_.items[other].is_opening() || !is_dined_at(other) || related(item, other)) continue;
+    const bool in_line = !mine.empty() && sides_of_room(other) == mine;
+    Formula f;
+    for (const int axis : {0, 1}) {
+      for (const int sign : {1, -1}) {
+        Case& c = f.add().require(gap_towards(item, other, {axis, sign}) - Linear(kSeatsAndWay));
+        if (in_line) c.wish(mid2(item, 1 - axis) - mid2(other, 1 - axis), kInLineByWall, 2);
+      }
+    }
+    habit("off the other tables", item, kApart, std::move(f));
+  }
+}
+
 // A sofa does not take the floor by a bed, where one gets up.
 void Habits::keep_off_beds(ItemId item) {
   constexpr int kOff = 300;  // points a metre

@@ -12,7 +12,7 @@ constexpr Mm kMostUnder = 1300;   // what is higher has nothing above it
 
 // Several of a kind of which the same is said (hooks above a bench, three pictures) hang side by side at one height.
 bool Habits::hang_in_row(ItemId item) {
-  constexpr Mm kLeastAir = 80, kMostAir = 250;
+  constexpr Mm kLeastAir = 120, kMostAir = 250;
   constexpr int kInRow = 400;
   const auto said_of = [&](ItemId i) {
     std::vector<std::pair<RelationType, std::vector<std::string>>> said;
@@ -26,14 +26,14 @@ bool Habits::hang_in_row(ItemId item) {
   if (hang_in_row_over(item)) return true;
   const bool faced = seat_facing(item).exists();  // each by a seat of its own
   if (mine.empty() && !faced && !is_of_few_on_wall(item)) return false;
-  ItemId before;
-  for (const ItemId i : ids_before(item)) {
+  std::vector<ItemId> row;
+  for (const ItemId i : model_.items.ids()) {
     const Item& other = model_.items[i];
     if (!other.is_opening() && other.entry == model_.items[item].entry && other.mount == Mount::kWall && said_of(i) == mine &&
         seat_facing(i).exists() == faced)
-      before = i;
+      row.push_back(i);
   }
-  if (!before.exists()) return false;
+  const auto rank = std::ranges::find(row, item) - row.begin();
   const Item& self = model_.items[item];
   // Who sits before each of them needs more width than they.
   const Mm air = std::clamp(self.states[0].size.width / 2, kLeastAir, kMostAir);
@@ -42,6 +42,8 @@ bool Habits::hang_in_row(ItemId item) {
     return std::max(model_.items[i].states[0].size.width + air,
                     !seat.exists() ? 0 : model_.items[seat].states[0].size.width + kBetweenMirrored);
   };
+  if (rank == 0) return mine.empty() && begin_row(item, width_of(item), static_cast<int>(row.size()));
+  const ItemId before = row[static_cast<std::size_t>(rank) - 1];
   const Mm pitch2 = width_of(item) + width_of(before);
   Formula f;
   for (const RoomWall& wall : model_.walls) {
@@ -50,6 +52,8 @@ bool Habits::hang_in_row(ItemId item) {
       Case& c = f.add().when(item, states_facing(item, wall)).when(before, states_facing(before, wall));
       c.wish(mid2(item, wall.along) - mid2(before, wall.along) - Linear(sign * pitch2), kInRow, 2);
       c.wish(mid2(item, wall.normal()) - mid2(before, wall.normal()), kInRow, 2).wish(lo(item, 2) - lo(before, 2), kInRow);
+      // It goes on the way it began.
+      if (rank > 1) c.require(sign * (mid2(before, wall.along) - mid2(row[static_cast<std::size_t>(rank) - 2], wall.along)));
     }
   }
   if (f.cases.empty()) return false;
@@ -57,9 +61,27 @@ bool Habits::hang_in_row(ItemId item) {
   return true;
 }
 
+// The first of a row of three and more, which is about the middle of its wall. False: these are fewer.
+bool Habits::begin_row(ItemId item, Mm pitch, int count) {
+  constexpr int kMany = 3, kOnCutWall = 60;
+  if (count < kMany) return false;
+  Formula f;
+  for (const RoomWall& wall : model_.walls) {
+    if (!wall.straight || std::int64_t{pitch} * count > wall.hi - wall.lo) continue;
+    for (const int sign : {1, -1}) {
+      Case& c = f.add().when(item, states_facing(item, wall));
+      c.wish(mid2(item, wall.along) - Linear(std::int64_t{wall.lo} + wall.hi + std::int64_t{sign} * (count - 1) * pitch), kHangs / 4, 2);
+      c.price = wall.turn == 180 || wall.turn == 270 ? kOnCutWall : 0;
+    }
+  }
+  if (f.cases.empty()) return false;
+  habit("begins the row", item, kHangs / 4, std::move(f));
+  return true;
+}
+
 // One of a few of a kind told to hang on the same wall (or on a wall, and no more): a set, but for lamps, which light it from its ends.
 bool Habits::is_of_few_on_wall(ItemId item) const {
-  constexpr int kFew = 5;
+  constexpr int kFew = 8;
   const auto wall_of = [&](ItemId i) -> const Relation* {
     const Item& other = model_.items[i];
     if (other.is_opening() || other.mount != Mount::kWall || other.curtain || other.is(Trait::kLamp) || other.is(Trait::kScreen))
@@ -199,7 +221,8 @@ bool Habits::hang_close_below(ItemId item) {
   constexpr Mm kAir = 60;
   for (const ItemId over : model_.items.ids()) {
     if (over == item || model_.items[over].is_opening() || model_.items[over].mount != Mount::kWall) continue;
-    if (!related_as_target(item, over, RelationType::kUnder)) continue;
+    const bool below_mirror = is_wall_mirror(over) && !is_wall_mirror(item) && related_as_target(over, item, RelationType::kAbove);
+    if (!related_as_target(item, over, RelationType::kUnder) && !below_mirror) continue;
     Formula f;
     f.add().wish(lo(over, 2) - hi(item, 2) - Linear(kAir), kHangHeight);
     habit("close below", item, kHangHeight, std::move(f), {over});
