@@ -73,8 +73,7 @@ class KitchenRun {
     std::vector<std::string> ids;
     for (const KitchenUnit& unit : units_at(dresser_, *main_)) {
       const bool flush = unit.span.low < kNarrowest || main_->length - unit.span.high < kNarrowest;
-      if (flush && unit.object->origin == Origin::kAdded && is_worktop(*unit.object))
-        ids.push_back(unit.object->id);
+      if (flush && unit.object->origin == Origin::kAdded && is_worktop(*unit.object)) ids.push_back(unit.object->id);
     }
     for (const std::string& id : ids) dresser_.use_from_no_side(id);
   }
@@ -89,9 +88,9 @@ class KitchenRun {
   std::vector<Span> free_at(const DressedWall& wall) const {
     const double depth = size_.depth;
     const double walk = form_.empty() ? measures().before_run : measures().least_before_run;
-    std::vector<Span> spans = shared(
-        dresser_.room().free_along(wall, {0, depth}, {0, double(size_.height)}),
-        dresser_.room().free_along(wall, {depth, depth + walk}, {0, double(size_.height)}, FreeRoom::Count::kStandingAndDoorways));
+    std::vector<Span> spans =
+        shared(dresser_.room().free_along(wall, {0, depth}, {0, double(size_.height)}),
+               dresser_.room().free_along(wall, {depth, depth + walk}, {0, double(size_.height)}, FreeRoom::Count::kStandingAndDoorways));
     for (const DressedWall& other : dresser_.room().walls()) {
       for (const Span& front : fronts_before(wall, other)) spans = without(spans, front);
     }
@@ -172,9 +171,7 @@ class KitchenRun {
   }
 
   // A worktop, of which enough is left to stand before.
-  bool goes_round(const KitchenUnit& unit) const {
-    return unit.span.length() >= size_.depth + kOfUse && is_worktop(*unit.object);
-  }
+  bool goes_round(const KitchenUnit& unit) const { return unit.span.length() >= size_.depth + kOfUse && is_worktop(*unit.object); }
 
   // All of it, where it is more than a chink.
   bool is_free(const DressedWall& wall, const Span& whole) const {
