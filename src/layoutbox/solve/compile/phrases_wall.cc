@@ -70,9 +70,12 @@ std::uint64_t states_where(const Item& r, Side one, Side meant) {
 
 namespace {
 
+// Whatever hangs on a wall is flat on it, its back to that: an axe as well, which has no front where it lies.
+bool is_turned_to_walls(const Item& item) { return item.has_front || item.mount == Mount::kWall; }
+
 // With that side to a slanted wall. No front: any side, or that which is the longer or shorter.
 std::uint64_t states_with_side_to_slanted(const Item& item, const RoomWall& wall, Side side) {
-  if (item.has_front) {
+  if (is_turned_to_walls(item)) {
     switch (side) {
       case Side::kBack: return states_at_angle(item, wall.angle, 360);
       case Side::kRight: return states_at_angle(item, wall.angle + 90, 360);
@@ -98,6 +101,13 @@ std::uint64_t states_with_side_to_slanted(const Item& item, const RoomWall& wall
 std::uint64_t states_with_side_to(const Item& item, const RoomWall& wall, Side side) {
   if (!wall.straight) return states_with_side_to_slanted(item, wall, side);
   const Direction towards{wall.normal(), -wall.inward};
+  if (!item.has_front && is_turned_to_walls(item) && side == Side::kBack) {
+    std::uint64_t flat = 0;
+    for_each_turn(item, [&](int turn, std::uint64_t states) {
+      if (quarter(turn) && turned({1, 1}, turn) == towards) flat |= states;
+    });
+    return flat;
+  }
   const bool by_length = side == Side::kLong || side == Side::kShort;
   std::uint64_t mask = 0;
   for (const Side one : {Side::kFront, Side::kBack, Side::kLeft, Side::kRight}) {

@@ -246,8 +246,7 @@ Item object_item(const SceneGraph& scene, const SceneObject& object, const Catal
   item.mount = mount_of(scene, object, *item.entry);
   item.toppled = is_toppled(object.attributes, item.mount);
   item.usual_mount = object.mount.value_or(item.entry->mount);
-  // Whatever hangs on a wall is flat on it, its back to that: an axe, which has no front where it lies.
-  item.has_front = item.entry->has_front || item.mount == Mount::kWall || told_to_look(scene, item);
+  item.has_front = item.entry->has_front || told_to_look(scene, item);
   item.thin = item.entry->thin && object.size->usual.height <= kThin && item.mount == Mount::kFloor && !rests_on_others(scene, object.id);
   item.curtain = item.is(Trait::kCurtain);
   item.fixed = object.fixed && object.hint.position.has_value();
