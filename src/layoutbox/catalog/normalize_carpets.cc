@@ -40,10 +40,6 @@ bool stand_in_rows(const OnCarpet& on, const Size& carpet) {
   return std::max(places(carpet.width, carpet.depth), places(carpet.depth, carpet.width)) >= on.count;
 }
 
-}  // namespace
-
-namespace {
-
 // A tablecloth covers the table that it is on.
 void spread_cloth(const NormalizeContext& context, SceneObject& cloth) {
   constexpr Mm kShort = 20;         // of the edge all round

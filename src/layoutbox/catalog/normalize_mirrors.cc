@@ -1,6 +1,7 @@
 // Shelves below mirrors.
 #include <algorithm>
 
+#include "layoutbox/catalog/kin.h"
 #include "layoutbox/catalog/normalize_steps.h"
 #include "layoutbox/catalog/trait_table.h"
 
@@ -45,14 +46,14 @@ Mm pitch_of(const NormalizeContext& context, const std::string& mirror) {
 }  // namespace
 
 void hang_shelves_under_mirrors(NormalizeContext& context) {
-  constexpr std::string_view kStanding = "shelf", kHanging = "wall_shelf";
-  const CatalogEntry* hanging = context.catalog.find(kHanging);
+  constexpr std::string_view kStanding = "shelf";
+  const CatalogEntry* hanging = kind_at(context.catalog, kStanding, KinPlace::kOnWall);
   for (std::size_t i = 0; i < context.scene.objects.size() && hanging != nullptr; ++i) {
     SceneObject& shelf = context.scene.objects[i];
     if (shelf.category != kStanding || shelf.size || shelf.mount || shelf.hint.position || !shelf.mesh.empty()) continue;
     const std::vector<std::string> mirrors = mirrors_over(context, shelf.id);
     if (mirrors.empty()) continue;
-    shelf.category = kHanging;
+    shelf.category = hanging->id;
     context.note("guessed", "\"" + shelf.id + "\" is below a mirror: it hangs on the wall",
                  "/furniture/" + std::to_string(i) + "/category");
     if (mirrors.size() < 2) continue;
