@@ -58,8 +58,9 @@ class LikewiseReader : public TokenReader {
     return false;
   }
 
-  // The clause before `end`; nothing where it has no verb with a place.
+  // The clause before `end`, and before what joins the two; nothing where it has no verb with a place.
   std::optional<Said> clause_before(std::size_t end) const {
+    while (end > 0 && (tokens_[end - 1].kind == Token::Kind::kPunctuation || lexicon_.is(tokens_[end - 1], WordClass::kAnd))) --end;
     Said said{begin_of_clause(end), 0, end};
     said.verb = said.begin;
     while (said.verb < end && !is_verb(said.verb)) ++said.verb;
@@ -123,10 +124,7 @@ class LikewiseReader : public TokenReader {
     if ((!so && !as) || !is_helper(i + 1) || !is_article(i + 2)) return false;
     std::size_t things = end_of_things(i + 2);
     if (things == i + 2 && is(i + 1, {"does", "do"})) things = end_of_name(i + 2);
-    std::size_t before = i;
-    while (before > 0 && (tokens_[before - 1].kind == Token::Kind::kPunctuation || lexicon_.is(tokens_[before - 1], WordClass::kAnd)))
-      --before;
-    const std::optional<Said> said = clause_before(before);
+    const std::optional<Said> said = clause_before(i);
     if (things == i + 2 || !said) return false;
     leave_out(as ? i + 1 : i, i + 2);
     if (as) tokens_[i].text = "and";
@@ -145,10 +143,7 @@ class LikewiseReader : public TokenReader {
            !lexicon_.is(tokens_[first - 1], WordClass::kAnd))
       --first;
     if (!thing_named_at(first) || end_of_things(first) != i) return;
-    std::size_t before = first;
-    while (before > 0 && (tokens_[before - 1].kind == Token::Kind::kPunctuation || lexicon_.is(tokens_[before - 1], WordClass::kAnd)))
-      --before;
-    const std::optional<Said> said = clause_before(before);
+    const std::optional<Said> said = clause_before(first);
     if (!said) return;
     leave_out(i, last);
     say_again(*said, i, are_several(first, i));
