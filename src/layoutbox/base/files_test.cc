@@ -5,7 +5,10 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <fstream>
+#include <optional>
+#include <string>
 
 namespace layoutbox {
 namespace {
@@ -83,7 +86,24 @@ TEST_F(Files, FoldersAreMadeWithThoseAbove) {
   EXPECT_EQ(make_folder(path_ / "below").error().code, ErrorCode::kIo);
 }
 
+// TMPDIR is `path` while it lives: in the machine's own, another process may be about to remove the very folder that a test looks at.
+class TemporaryFoldersIn {
+ public:
+  explicit TemporaryFoldersIn(const fs::path& path) {
+    if (const char* before = std::getenv("TMPDIR")) before_ = before;
+    ::setenv("TMPDIR", path.c_str(), 1);
+  }
+  ~TemporaryFoldersIn() { before_ ? ::setenv("TMPDIR", before_->c_str(), 1) : ::unsetenv("TMPDIR"); }
+  TemporaryFoldersIn(const TemporaryFoldersIn&) = delete;
+  TemporaryFoldersIn& operator=(const TemporaryFoldersIn&) = delete;
+
+ private:
+  std::optional<std::string> before_;
+};
+
 TEST(TemporaryFolders, OfAProcessThatWasKilledGoAtTheNextStart) {
+  const TemporaryFolder own = TemporaryFolder::make("own").value();
+  const TemporaryFoldersIn only_here(own.path());
   const fs::path base = fs::temp_directory_path();
   const fs::path abandoned = base / "layoutbox-tmp-killed-abcdef", fresh = base / "layoutbox-tmp-killed-ghijkl";
   const fs::path of_a_person = base / "layoutbox-sunset", of_a_person_too = base / "layoutbox-tmp-garden";
@@ -98,7 +118,6 @@ TEST(TemporaryFolders, OfAProcessThatWasKilledGoAtTheNextStart) {
   EXPECT_TRUE(fs::exists(held.path())) << "it is in use";
   EXPECT_TRUE(fs::exists(fresh)) << "its process may not have locked it yet";
   for (const fs::path& folder : {of_a_person, of_a_person_too}) EXPECT_TRUE(fs::exists(folder)) << "not ours";
-  for (const fs::path& folder : {fresh, of_a_person, of_a_person_too}) fs::remove_all(folder);
 }
 
 TEST(TemporaryFolders, GoWithEverythingInThem) {

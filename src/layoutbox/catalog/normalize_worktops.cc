@@ -1,8 +1,8 @@
 // A workbench "along the back wall" is about as long as that wall lets it be.
 #include <algorithm>
-#include <array>
 
 #include "layoutbox/catalog/normalize_steps.h"
+#include "layoutbox/catalog/trait_table.h"
 
 namespace layoutbox {
 namespace {
@@ -10,11 +10,6 @@ namespace {
 constexpr Mm kForDoor = 1500;  // of a wall is left to a door and to what else stands there
 
 bool says_along(const Relation& r) { return r.why.starts_with("along") || r.why.starts_with("down the") || r.why.starts_with("running"); }
-
-bool is_bench(const NormalizeContext& context, const SceneObject& object) {
-  constexpr std::array kBenches = {"workbench", "lab_bench", "planting_bench"};
-  return std::ranges::any_of(kBenches, [&](const char* kind) { return context.catalog.is_a(object.category, kind); });
-}
 
 // How much of the wall what else is told to be at it takes.
 Mm taken_by_others(const SceneGraph& scene, const std::string& wall, const std::string& bench) {
@@ -36,7 +31,7 @@ void normalize_worktops(NormalizeContext& context) {
     const auto bench = std::ranges::find(context.scene.objects, r.targets[0], &SceneObject::id);
     const Wall* wall = context.scene.find_wall(r.references[0]);
     if (bench == context.scene.objects.end() || wall == nullptr || !bench->size || bench->size_source != SizeSource::kCatalog) continue;
-    if (!is_bench(context, *bench)) continue;
+    if (!context.catalog.entry_or_nearest(bench->category).is(Trait::kLongAtWall)) continue;
     const Mm free = length_of(*wall) - kForDoor - taken_by_others(context.scene, wall->id, bench->id);
     Mm& usual = bench->size->usual.width;
     usual = std::max(usual, std::min(free, bench->size->greatest.width));

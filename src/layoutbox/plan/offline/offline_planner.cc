@@ -9,7 +9,6 @@
 #include "layoutbox/plan/offline/languages.h"
 #include "layoutbox/plan/offline/left_out.h"
 #include "layoutbox/plan/offline/people.h"
-#include "layoutbox/plan/offline/seat_kinds.h"
 #include "layoutbox/plan/offline/text_passes.h"
 #include "layoutbox/plan/offline/wishes.h"
 #include "layoutbox/plan/passes/bans.h"
@@ -97,7 +96,6 @@ class OfflinePlanner final : public Planner {
     if (is_set(document.stop)) return stopped();
     add_bans(lexicon_, document, plan.scene);
     name_room_by_contents(lexicon_, document, plan.scene);
-    seat_children(lexicon_.catalog(), plan.scene);
     furnish_by_wish(lexicon_, document, plan.scene);
     settle_slopes(lexicon_, document, plan.scene);
     plan.linings = find_linings(lexicon_, document, plan.scene);

@@ -171,24 +171,6 @@ void RelationBuilder::stand_hobs() {
   }
 }
 
-// "an island with three stools": those that one sits on there, as high as that is.
-void RelationBuilder::raise_stools() {
-  for (const Relation& at : scene_.relations) {
-    if (at.references.size() != 1 || (!traits_of(at.type).around && at.type != R::kInFrontOf)) continue;
-    const SceneObject* host = object_of(at.references[0]);
-    const auto& seatings = Groups::builtin().seatings;
-    const auto row =
-        std::ranges::find_if(seatings, [&](const Seating& s) { return host != nullptr && catalog_.is_a(host->category, s.at); });
-    const CatalogEntry* high = row == seatings.end() ? nullptr : catalog_.find(row->seat);
-    for (const std::string& seat : at.targets) {
-      const auto object = std::ranges::find(scene_.objects, seat, &SceneObject::id);
-      if (high == nullptr || object == scene_.objects.end()) continue;
-      const CatalogEntry& named = catalog_.entry_or_nearest(object->category);
-      if (!named.is(Trait::kChair) && catalog_.is_a(high->id, named.id)) object->category = high->id;
-    }
-  }
-}
-
 // "Kitchen along the back wall: sink, stove, fridge": they are at that wall.
 void RelationBuilder::line_up_units(const std::vector<std::string>& units) {
   const std::string wall = wall_of_kitchen(document_);
@@ -237,7 +219,6 @@ void RelationBuilder::turn_other_leg(const std::vector<std::string>& units) {
 void RelationBuilder::settle_kitchen() {
   build_in_ovens();
   stand_hobs();
-  raise_stools();
   const std::vector<std::string> units = units_of_run();
   if (units.size() < 2) return;
   for (Relation& relation : scene_.relations) place_in_run(relation, units);

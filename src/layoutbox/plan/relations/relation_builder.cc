@@ -47,6 +47,7 @@ void RelationBuilder::run() {
   add_mounts_said();
   set_heights();
   settle_kitchen();
+  settle_seat_heights();
   part_groups();
   part_halves();
   part_from_neighbours();

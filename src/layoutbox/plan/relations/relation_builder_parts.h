@@ -183,7 +183,6 @@ class RelationBuilder : private RelationWriter {
   void build_in(std::size_t oven);
   void build_in_ovens();
   void stand_hobs();
-  void raise_stools();
   void turn_other_leg(const std::vector<std::string>& units);
   void line_up_units(const std::vector<std::string>& units);
   std::string counter_of_run(const std::vector<std::string>& units) const;
@@ -236,6 +235,7 @@ class RelationBuilder : private RelationWriter {
   bool settle_tall(SceneObject& object, const NounPhrase& noun);
   void settle_stands();
   void fill_whole_walls();
+  void settle_seat_heights();
   void leave_middle_to_rows();
   void make_room_between();
   void seat_in_reach(const std::vector<std::pair<std::string, std::string>>& in_reach);
