@@ -15,7 +15,8 @@ const Mm kFar = relation_row(RelationType::kFar).defaults.min.value_or(0);
 const Mm kOpposite = relation_row(RelationType::kOpposite).defaults.min.value_or(0);
 constexpr Mm kRoomToSpare = 100;
 constexpr double kBody = 1800;  // two things at the ends
-constexpr double kStep = 0.02, kMostGrowth = 1.6;
+constexpr double kStep = 1.02, kMostGrowth = 1.6;
+constexpr double kLongest = 1.7;  // times the shorter side: a room is not made longer than that for what is to be far apart
 
 // What it takes of the floor's two sides, in a corner or at a wall.
 std::optional<Point> footprint_of(const SceneGraph& scene, const std::string& id) {
@@ -57,11 +58,40 @@ Mm least_distance(const Relation& relation) {
   return relation.type == RelationType::kDistance ? relation.parameters.min.value_or(0) : 0;
 }
 
-double growth_for_pair(Point a, Point b, Mm least, double width, double depth) {
-  double growth = 1;
-  while (growth < kMostGrowth && farthest(a, b, width * growth, depth * growth) < least + kRoomToSpare) growth += kStep;
-  return growth;
-}
+// A room that grows, to kMostGrowth times each of its sides.
+class GrowingFloor {
+ public:
+  explicit GrowingFloor(FloorSides sides) : sides_(sides), most_{sides.width * kMostGrowth, sides.depth * kMostGrowth} {}
+  const FloorSides& sides() const { return sides_; }
+
+  // Until `is_enough` or it grows no more: its longer side first.
+  template <typename Enough>
+  void lengthen_until(const Enough& is_enough) {
+    while (!is_enough(sides_)) {
+      const bool wide = sides_.width >= sides_.depth;
+      double &longer = wide ? sides_.width : sides_.depth, &shorter = wide ? sides_.depth : sides_.width;
+      const double longest = wide ? most_.width : most_.depth, shortest = wide ? most_.depth : most_.width;
+      if (longer < std::min(longest, kLongest * shorter)) {
+        longer = std::min(longer * kStep, longest);
+      } else if (shorter < shortest) {
+        shorter = std::min(shorter * kStep, shortest);
+      } else {
+        return;
+      }
+    }
+  }
+  void grow_longer_to(double length) {
+    lengthen_until([&](const FloorSides& s) { return std::max(s.width, s.depth) >= length; });
+  }
+  // Both sides.
+  void grow_both_to(double length) {
+    sides_.width = std::max(sides_.width, std::min(length, most_.width));
+    sides_.depth = std::max(sides_.depth, std::min(length, most_.depth));
+  }
+
+ private:
+  FloorSides sides_, most_;
+};
 
 bool at_named_wall(const SceneGraph& scene, const std::string& id) {
   return std::ranges::any_of(scene.relations, [&](const Relation& r) {
@@ -70,9 +100,20 @@ bool at_named_wall(const SceneGraph& scene, const std::string& id) {
   });
 }
 
+bool stands_sideways(const SceneGraph& scene, const std::string& id) {
+  return std::ranges::any_of(scene.relations, [&](const Relation& r) {
+    return r.type == RelationType::kSideAgainstWall && std::ranges::find(r.targets, id) != r.targets.end();
+  });
+}
+
+// What it takes of the way from its wall to the other.
+Mm depth_at_wall(const SceneGraph& scene, const SceneObject& object) {
+  const Size& size = object.size->usual;
+  return stands_sideways(scene, object.id) ? size.width : size.depth;
+}
+
 // From one wall to the other: a bed, the room between, a dressing table.
-double growth_for_opposite(const SceneGraph& scene, const Relation& relation, double width, double depth) {
-  double growth = 1;
+void grow_for_opposite(const SceneGraph& scene, const Relation& relation, GrowingFloor& floor) {
   const Mm between = or_default(relation, &RelationParameters::min);
   for (const std::string& reference : relation.references) {
     const SceneObject* ref = scene.find_object(reference);
@@ -80,16 +121,15 @@ double growth_for_opposite(const SceneGraph& scene, const Relation& relation, do
     const bool in_middle = std::ranges::any_of(scene.relations, [&](const Relation& other) {
       return other.type == RelationType::kCenterOfRoom && other.targets == relation.references;
     });
-    if (in_middle) growth = std::max(growth, (2.0 * between + 1.4 * kBody) / std::max(width, depth));
+    if (in_middle) floor.grow_longer_to(2.0 * between + 1.4 * kBody);
     for (const std::string& target : relation.targets) {
       const SceneObject* object = scene.find_object(target);
       if (object == nullptr || !object->size || object->mount != Mount::kFloor) continue;
-      const double span = double(object->size->usual.depth) + ref->size->usual.depth + between + kRoomToSpare;
+      const double span = double(depth_at_wall(scene, *object)) + depth_at_wall(scene, *ref) + between + kRoomToSpare;
       const bool named = at_named_wall(scene, target) || at_named_wall(scene, reference);
-      growth = std::max(growth, span / (named ? std::min(width, depth) : std::max(width, depth)));
+      named ? floor.grow_both_to(span) : floor.grow_longer_to(span);
     }
   }
-  return growth;
 }
 
 // The room has that size, whoever gave it: where two things cannot be far apart in it they are as far as it goes.
@@ -166,18 +206,20 @@ void settle_full_height(NormalizeContext& context) {
 
 }  // namespace
 
-double growth_for_distances(const NormalizeContext& context, double width, double depth) {
+FloorSides grown_for_distances(const NormalizeContext& context, FloorSides sides) {
   constexpr double kDiagonal = 1.3;  // of an ordinary room, by its longer side
   const SceneGraph& scene = context.scene;
-  double growth = 1;
+  GrowingFloor floor(sides);
   for (const Relation& relation : scene.relations) {
-    if (relation.type == RelationType::kOpposite) growth = std::max(growth, growth_for_opposite(scene, relation, width, depth));
+    if (relation.type == RelationType::kOpposite) grow_for_opposite(scene, relation, floor);
     const Mm least = least_distance(relation);
     if (least <= 0) continue;
-    growth = std::max(growth, (least + kBody) / kDiagonal / std::max(width, depth));
-    for_pairs(scene, relation, [&](Point a, Point b) { growth = std::max(growth, growth_for_pair(a, b, least, width, depth)); });
+    floor.grow_longer_to((least + kBody) / kDiagonal);
+    for_pairs(scene, relation, [&](Point a, Point b) {
+      floor.lengthen_until([&](const FloorSides& s) { return farthest(a, b, s.width, s.depth) >= least + kRoomToSpare; });
+    });
   }
-  return std::min(growth, kMostGrowth);
+  return floor.sides();
 }
 
 void normalize_distances(NormalizeContext& context) {

@@ -138,11 +138,12 @@ class RoomNormalizer {
       d *= scale;
       if (scale != 1) reason = fmt::format("\"{}\"", room_.size_word);
       const double grown = growth_for_furniture(context_, w * d * share, std::max(w, d));
-      const double factor = grown * growth_for_distances(context_, w * grown, d * grown) * context_.options.room_growth;
+      const FloorSides sides = grown_for_distances(context_, {w * grown, d * grown});
+      const double more = context_.options.room_growth, factor = sides.width * sides.depth / (w * d) * more * more;
       if (factor > 1.001) reason += ", grown to hold its furniture";
       if (factor < 0.999) reason += ", smaller as little stands in it";
-      w = rounded_up(w * factor);
-      d = rounded_up(d * factor);
+      w = rounded_up(sides.width * more);
+      d = rounded_up(sides.depth * more);
     }
     std::tie(w, d) = formed(w, d);
     context_.note("filled", fmt::format("the room's size is not given: {} x {} for {}", metres_text(w), metres_text(d), reason),

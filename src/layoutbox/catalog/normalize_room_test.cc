@@ -82,6 +82,13 @@ TEST(NormalizeRoom, GrowsUntilWhatIsToBeFarCanBe) {
   EXPECT_GT(diagonal(RelationType::kFar), diagonal(RelationType::kNextTo) + 500);
 }
 
+TEST(NormalizeRoom, IsRatherLongerThanLargerWhereThingsAreToBeFarApart) {
+  SceneGraph scene = scene_of({object("crib_1", "crib"), object("changing_table_1", "changing_table")},
+                              {relation(RelationType::kFar, {"crib_1"}, {"changing_table_1"})});
+  const Point corner = normalized(std::move(scene)).room.polygon[2];
+  EXPECT_GT(std::max(corner.x, corner.y), 1.3 * std::min(corner.x, corner.y));
+}
+
 TEST(NormalizeRoom, FarIsAsFarAsARoomOfGivenSizeGoes) {
   const auto least = [](Mm width, Mm depth) {
     SceneGraph scene =

@@ -65,8 +65,11 @@ void normalize_openings(NormalizeContext& context);
 // wall; or may shrink where little stands there and nobody spoke of the room's size.
 double growth_for_furniture(const NormalizeContext& context, double area, double longest_side);
 
-// By how much a room of that size must grow so that distances and heights that words ask for find room in it, given how large things are.
-double growth_for_distances(const NormalizeContext& context, double width, double depth);
+// The room's two sides, grown until the distances that words ask for find room in it, given how large things are: rather longer than larger.
+struct FloorSides {
+  double width = 0, depth = 0;  // mm
+};
+FloorSides grown_for_distances(const NormalizeContext& context, FloorSides sides);
 
 // What is far in a room that is what it is, and heights of what is to hang above something. REQUIRES: the room is settled.
 void normalize_distances(NormalizeContext& context);

@@ -171,6 +171,8 @@ TEST_F(PlannedRooms, ReadsFloorAndWalls) {
   EXPECT_EQ(scene("A bedroom with a bed and a shelf, dark green and white. A window above the desk.").room.wall_material, "dark green");
   EXPECT_EQ(scene("A bedroom with a bed, a shelf, white curtains and a rug.").room.wall_material, "");
   EXPECT_EQ(scene("A bed and a wardrobe.").room.type, "bedroom");
+  EXPECT_EQ(scene("My room in the shared flat, with a bed and a desk.").room.type, "bedroom");
+  EXPECT_EQ(scene("A flat with a bed and a sofa.").room.type, "studio_apartment");
   EXPECT_EQ(scene("I'm 9 and I want a loft bed and a wardrobe.").room.type, "kids_room");
   EXPECT_EQ(scene("I'm 49 and I want a bed and a wardrobe.").room.type, "bedroom");
   const SceneGraph read = scene("An office with white walls and a wooden floor has a desk.");

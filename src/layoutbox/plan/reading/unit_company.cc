@@ -61,9 +61,15 @@ bool UnitReader::is_where_somebody_is(const NounPhrase& noun) const {
   return false;
 }
 
+// "my room in the shared flat", "the kitchen of our house": says where the room is that was spoken of before it.
+bool UnitReader::is_home_of_room(const NounPhrase& noun) const {
+  return !document_.rooms.empty() && noun.first > 0 && one_of(document_.tokens[noun.first - 1].text, {"in", "of", "at"}) &&
+         one_of(noun.head, WordSet::kDwellings);
+}
+
 // A room that the text names: the one that is wished for, or, where no other is named, the one where somebody works.
 void UnitReader::name_room(const NounPhrase& noun) {
-  if (is_past(noun)) return;
+  if (is_past(noun) || is_home_of_room(noun)) return;
   (is_where_somebody_is(noun) ? document_.rooms_elsewhere : document_.rooms).push_back(noun);
 }
 
