@@ -13,6 +13,14 @@ std::vector<Limit> paper_limits() {
                                                                          }));
        },
        {"desk", {0, 0.02}}},
+      {"offset from a wall of the middle",
+       Type::kOffset,
+       [](TestRoom& r) {
+         r.add("desk", "desk", {1, 0.6, 0.75}, {0.8, 1}).relation(Type::kOffset, {"desk"}, {"wall4"}, with([](auto& p) {
+                                                                    p.distance = 800, p.edge = Edge::kCenter;
+                                                                  }));
+       },
+       {"desk", {0.02, 0}}},
       {"offset from a wall",
        Type::kOffset,
        [](TestRoom& r) {

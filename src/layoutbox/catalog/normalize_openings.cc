@@ -65,12 +65,19 @@ class OpeningNormalizer {
     }
   }
 
-  // In the middle of its wall, or a hand's breadth off the corner that is named.
+  // Where the text has its middle; in the middle of its wall; as far off the corner that is named as is said, else a hand's breadth.
   void settle_place(Opening& opening) const {
-    constexpr Mm kOff = 100;
-    const Wall* wall = opening.place.empty() || opening.wall.empty() || opening.offset ? nullptr : context_.scene.find_wall(opening.wall);
+    const Mm kOff = opening.from_corner.value_or(100);
+    const Wall* wall = opening.wall.empty() || opening.offset ? nullptr : context_.scene.find_wall(opening.wall);
     if (wall == nullptr) return;
     const Mm room = std::max(0, static_cast<Mm>(length_of(*wall)) - opening.width);
+    const bool along_x = wall->start.y == wall->end.y, along_y = wall->start.x == wall->end.x;
+    if (const std::optional<Mm> middle = along_x ? opening.middle_x : along_y ? opening.middle_y : std::nullopt) {
+      const Mm start = along_x ? wall->start.x : wall->start.y;
+      opening.offset = std::clamp(std::abs(*middle - start) - opening.width / 2, 0, room) / kGridMm * kGridMm;
+      return;
+    }
+    if (opening.place.empty()) return;
     if (opening.place == "middle") {
       opening.offset = room / 2 / kGridMm * kGridMm;
       return;

@@ -84,6 +84,7 @@ std::vector<Edge> edges_of(RelationType type) {
   if (type == RelationType::kEdgeAlign) return {kFront, kBack, kLeft, kRight, kCenter};  // of a thing's own frame, which has no axis
   if (type == RelationType::kAlign || type == RelationType::kGroupAlign)
     return {kCenter, kLeft, kRight, kFront, kBack, kBottom, kTop, kMin, kMax};
+  if (type == RelationType::kOffset) return {kCenter};  // else its nearer edge
   return {};
 }
 

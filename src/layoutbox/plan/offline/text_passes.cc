@@ -23,6 +23,7 @@
 #include "layoutbox/plan/passes/requests.h"
 #include "layoutbox/plan/passes/runs.h"
 #include "layoutbox/plan/passes/said_counts.h"
+#include "layoutbox/plan/passes/second_roles.h"
 #include "layoutbox/plan/passes/shelf_subjects.h"
 #include "layoutbox/plan/passes/side_shares.h"
 #include "layoutbox/plan/passes/side_subjects.h"
@@ -30,6 +31,7 @@
 #include "layoutbox/plan/passes/uses.h"
 #include "layoutbox/plan/passes/wall_lists.h"
 #include "layoutbox/plan/passes/wordings.h"
+#include "layoutbox/plan/room/coordinates.h"
 #include "layoutbox/plan/room/room_reader.h"
 #include "layoutbox/plan/room/slopes.h"
 
@@ -41,6 +43,8 @@ template <void (*run)(Document&)>
 constexpr auto kWithout = [](const Lexicon&, Document& document) { run(document); };
 
 constexpr WordPass kWordPasses[] = {
+    {"second roles", read_second_roles, "A flat with a bed that is also the sofa.", "A flat with a sofa bed."},
+    {"coordinates", read_coordinates, "A hall with a lamp, its middle at x = 2 m and y = 1 m.", "A hall with a lamp at (2, 1)."},
     {"owners", read_owners, "Her bed is on the left wall, his is on the right wall.",
      "Her bed is on the left wall, his bed is on the right wall."},
     {"runs", part_runs, "A bedroom with a bed desk wardrobe.", "A bedroom with a bed, a desk and a wardrobe."},
@@ -87,6 +91,7 @@ constexpr PhrasePass kPhrasePasses[] = {
      "A bedroom with a bed and a door on the left wall."},
     {"opening ends", settle_opening_ends, "A 6 x 3 m bedroom with a bed and the entrance on the narrow side.",
      "A 6 x 3 m bedroom with a bed and a door in the short wall."},
+    {"whose coordinates", settle_coordinates, "A bedroom with a bed. At (2, 1) stands a lamp.", "A bedroom with a bed and a lamp at (2, 1)."},
     {"finishes", settle_finishes, "A bedroom with a bed and exposed brick on the back wall.",
      "A bedroom with a bed and a back wall of exposed brick."},
     {"absent", settle_absent, "A bedroom with a bed. The old desk has been taken away.", "A bedroom with a bed."},

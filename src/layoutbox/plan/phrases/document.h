@@ -86,6 +86,12 @@ struct Ban {
   std::string words;
 };
 
+// "at (2, 1)", "x=2": where the middle of something is, metres from the room's left and from its front wall.
+struct CoordinatesSaid {
+  std::size_t begin = 0;  // byte place in the prompt
+  std::optional<double> x, y;
+};
+
 struct Document {
   std::string prompt;
   std::vector<Token> tokens;
@@ -104,6 +110,7 @@ struct Document {
   std::vector<Ban> bans;
   std::vector<std::size_t> size_said_at;  // places in the prompt of the words that said the room's size
   std::optional<Niche> niche;
+  std::vector<CoordinatesSaid> coordinates;
   int people = 0;      // "an office for three": for how many the room is; 0: not said
   bool young = false;  // … children
   int groups = 0;

@@ -75,6 +75,8 @@ struct NounPhrase {
   std::string wall_word;      // left, right, back, front
   bool in_middle = false;     // of a door or window: in the middle of that wall
   std::string near_corner;    // … or at its end towards that wall
+  std::optional<double> from_corner;  // … so far off it, metres
+  std::optional<double> at_x, at_y;   // its middle, metres from the room's left and from its front wall
   std::string wall_relation;  // opposite, other, adjacent, same
   SaidSize size;
   std::optional<double> hangs_at;         // "a shelf at 1.2 m": metres above the floor

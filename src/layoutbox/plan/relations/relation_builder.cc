@@ -46,6 +46,7 @@ void RelationBuilder::run() {
   }
   add_mounts_said();
   set_heights();
+  set_coordinates();
   settle_kitchen();
   settle_seat_heights();
   part_groups();
@@ -295,6 +296,21 @@ void RelationBuilder::set_heights() {
     }
     for (const std::size_t r : relations_of(object)) {
       if (hangs(r)) scene_.relations[r].parameters.height = height;
+    }
+  }
+}
+
+// "a lamp at (2, 1)": its middle is so far from the left and from the front wall.
+void RelationBuilder::set_coordinates() {
+  for (std::size_t i = 0; i < document_.items.size() && i < scene_.objects.size(); ++i) {
+    const NounPhrase& noun = document_.items[i].noun;
+    for (const auto& [metres, wall] : {std::pair{noun.at_x, "left"}, {noun.at_y, "front"}}) {
+      if (!metres) continue;
+      Link link;
+      link.first = noun.first, link.last = noun.last;
+      add(link, R::kOffset, {scene_.objects[i].id}, {wall});
+      scene_.relations.back().parameters.distance = mm_from_m(*metres);
+      scene_.relations.back().parameters.edge = Edge::kCenter;
     }
   }
 }

@@ -49,6 +49,7 @@ class RelationBuilder : private RelationWriter {
   void add_clusters();
   bool look_at_one_thing(const Mention& mention) const;
   void set_heights();
+  void set_coordinates();
   void add_in_niche(const Link& link, const Mention& target);
   bool add_across_room(const Link& link, const Mention& target, const std::vector<int>& references);
   void add_wall_opposite(const Link& link, const Mention& target);

@@ -68,6 +68,7 @@ class TableSeats {
     if (is_told_elsewhere(seat) || links_.is_placed_by(seat, at_a_table)) return;
     const bool bench = noun.head == "bench" && !noun.is_plural();
     (bench ? loose_bench_ : loose_seat_) = true;
+    if (!bench && noun.count == 0 && noun.plural && is_upright(noun)) uncounted_seats_.push_back(seat);
   }
 
   // "a table for six, with chairs": as many; "with a bench": that is all; "with a bench and chairs": half of them on the bench.
@@ -84,6 +85,9 @@ class TableSeats {
       named = true;
       if (noun.count == 0 && noun.plural && is_upright(noun)) builder_.grow(seat, bench && noun.head != "bench" ? all - all / 2 : all);
     }
+    // "a table for eight, upholstered chairs": all of them, where no second kind may be meant.
+    if (uncounted_seats_.size() == 1) builder_.grow(uncounted_seats_.front(), bench ? all - all / 2 : all);
+    uncounted_seats_.clear();
     return named;
   }
 
@@ -223,6 +227,7 @@ class TableSeats {
   std::string room_;
   bool counter_named_ = false;
   bool loose_seat_ = false, loose_bench_ = false;
+  std::vector<int> uncounted_seats_;  // … of which nobody says how many
   std::map<const CatalogEntry*, const Seating*> seatings_;  // by table, as they were asked for
   std::map<const CatalogEntry*, int> desk_of_;              // by seat, the last of the desks that such seats stand at
 };

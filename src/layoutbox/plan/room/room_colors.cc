@@ -37,6 +37,7 @@ Scheme scheme_at(const Lexicon& lexicon, const std::vector<Token>& tokens, std::
       else if (scheme.floor.empty() &&
                is_one_of(token, {"oak", "wood", "walnut", "maple", "pine", "birch", "ash", "teak", "bamboo", "concrete"}))
         scheme.floor = token.text;
+      shade.clear();
       i += material.length;
     } else if (is_shade(token)) {
       shade = token.text;
@@ -131,10 +132,14 @@ class RoomColors {
     use(document_, first, last);
   }
 
-  // "White and oak." is a sentence.
+  static bool says_several(const Scheme& scheme) { return scheme.colors + (scheme.floor.empty() ? 0 : 1) > 1; }
+
+  // "White and oak." is a sentence, "Yellow and white, nothing too loud." begins one.
   void read_sentence(std::size_t first) {
     const Scheme scheme = scheme_at(lexicon_, document_.tokens, first);
-    if (!scheme.walls.empty() && ends(document_.tokens, first + scheme.length)) take(scheme, first, first + scheme.length);
+    const std::size_t end = first + scheme.length;
+    if (scheme.walls.empty()) return;
+    if (ends(document_.tokens, end) || (says_several(scheme) && document_.tokens[end - 1].text == ",")) take(scheme, first, end);
   }
 
   // "…, led lights, dark grey and purple.": several colors by themselves are nobody's but the room's.
@@ -146,7 +151,7 @@ class RoomColors {
     if (first < 2 || is_look(first - 2)) return;
     const Scheme scheme = scheme_at(lexicon_, document_.tokens, first);
     const std::size_t end = first + scheme.length;
-    if (scheme.colors > 1 && (ends(document_.tokens, end) || document_.tokens[end - 1].text == ",")) take(scheme, first, end);
+    if (!scheme.walls.empty() && says_several(scheme) && (ends(document_.tokens, end) || document_.tokens[end - 1].text == ",")) take(scheme, first, end);
   }
 
   // "A den in teal and white with …"

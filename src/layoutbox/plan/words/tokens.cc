@@ -257,8 +257,21 @@ class Tokenizer {
   bool dashes_list_ = false;
 };
 
+// "6.0 m (x) by 4.5 m (y)": which axis a length is along follows from its place.
+std::vector<Token> without_axis_marks(std::vector<Token> tokens) {
+  const auto marks = [&](std::size_t i) {
+    const auto number = [&](std::size_t back) { return i >= back && tokens[i - back].kind == Token::Kind::kNumber; };
+    if (!(number(1) || number(2)) || i + 2 >= tokens.size() || tokens[i].text != "(" || tokens[i + 2].text != ")") return false;
+    return tokens[i + 1].text == "x" || tokens[i + 1].text == "y" || tokens[i + 1].text == "z";
+  };
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    if (marks(i)) tokens.erase(tokens.begin() + static_cast<std::ptrdiff_t>(i), tokens.begin() + static_cast<std::ptrdiff_t>(i + 3));
+  }
+  return tokens;
+}
+
 }  // namespace
 
-std::vector<Token> tokenize(std::string_view prompt) { return settle_on(Tokenizer(prompt).run()); }
+std::vector<Token> tokenize(std::string_view prompt) { return settle_on(without_axis_marks(Tokenizer(prompt).run())); }
 
 }  // namespace layoutbox::offline

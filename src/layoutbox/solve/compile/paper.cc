@@ -64,7 +64,10 @@ void align_all(Compilation& c) {
 void offset_from_wall(Formula& f, const Compilation& c, ItemId t, const RoomWall& wall, Mm distance) {
   const int axis = c.relation.parameters.axis ? static_cast<int>(*c.relation.parameters.axis) : wall.normal();
   if (!wall.straight) f.exact = false;
-  if (axis == wall.normal()) {
+  if (c.relation.parameters.edge == Edge::kCenter && axis == wall.normal()) {
+    constexpr Mm kOfSlack = 10;  // twice half a step of the grid, which may lie between
+    f.add().require_small(mid2(t, axis) - Linear(2 * (wall.at + wall.inward * distance)), kOfSlack);
+  } else if (axis == wall.normal()) {
     for (const int sign : {wall.inward, -wall.inward}) {  // past a corner of the room there may be room behind a wall's line
       Case& in = f.add().require_small(gap_towards(t, place_of(c.model, wall), {axis, sign}) - Linear(distance), 0);
       if (sign != wall.inward) in.price = 100;

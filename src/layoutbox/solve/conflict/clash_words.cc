@@ -157,6 +157,7 @@ std::string relation_in_words(const PlacementModel& model, const Relation& relat
   if (!p.axis)
     replace(text, " along {axis}",
             relation.type == RelationType::kGroupAlign || relation.type == RelationType::kAlign ? " along x or y" : "");
+  if (relation.type == RelationType::kOffset && p.edge) replace(text, "{targets}", "the middle of {targets}");
   if (targets.size() == 1) replace(text, "each of {targets}", "{targets}");
   replace(text, "{targets}", listed(targets));
   replace(text, "{references}", listed(references));

@@ -71,6 +71,11 @@ Finding check_Offset(const RelationCase& c) {
       const std::string what = fmt::format("{} from the end of {} along {}", t.id(), r.id, name_of(axis));
       return any_of({equal_to(what, own.lo - wall.lo, wanted, c.slack()), equal_to(what, wall.hi - own.hi, wanted, c.slack())}, {});
     }
+    if (r.is_wall() && c.relation.parameters.edge == Edge::kCenter) {
+      const Interval own = room_extent(t, axis), other = room_extent(c, r, axis);
+      return equal_to(fmt::format("from the middle of {} to {} along {}", t.id(), r.id, name_of(axis)),
+                      std::max({other.lo - own.mid(), own.mid() - other.hi, 0.0}), wanted, c.slack());
+    }
     return equal_to(fmt::format("gap between {} along {}", name_of_pair(t, r), name_of(axis)),
                     edge_gap(room_extent(t, axis), room_extent(c, r, axis)), wanted, c.slack());
   });

@@ -1,0 +1,143 @@
+#include "layoutbox/plan/room/coordinates.h"
+
+#include <algorithm>
+
+#include "layoutbox/plan/phrases/noun_phrase_parts.h"
+#include "layoutbox/plan/phrases/reader_words.h"
+#include "layoutbox/plan/words/word_sets.h"
+
+namespace layoutbox::offline {
+namespace {
+
+// What stands before coordinates and says no more than that they follow.
+bool leads_to_coordinates(const Token& token) { return one_of(token.text, WordSet::kBeforeCoordinates); }
+
+class CoordinateReader {
+ public:
+  CoordinateReader(const Lexicon& lexicon, Document& document, std::vector<bool>& skip)
+      : lexicon_(lexicon), document_(document), tokens_(document.tokens), skip_(skip) {}
+
+  void run() {
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+      CoordinatesSaid said;
+      std::size_t last = read_named(i, said);
+      if (last == 0) last = read_pair(i, said);
+      if (last == 0) continue;
+      std::size_t first = i;
+      while (first > 0 && leads_to_coordinates(tokens_[first - 1])) --first;
+      said.begin = tokens_[i].begin;
+      for (std::size_t n = first; n < last; ++n) {
+        skip_[n] = true;
+        document_.readings[n].role = "where it is, by coordinates";
+      }
+      document_.coordinates.push_back(said);
+      i = last - 1;
+    }
+  }
+
+ private:
+  bool is(std::size_t i, std::string_view text) const { return i < tokens_.size() && tokens_[i].text == text; }
+
+  // A length, with or without its unit; the place behind it, 0: none.
+  std::size_t read_metres(std::size_t i, std::optional<double>& metres) const {
+    if (i >= tokens_.size() || tokens_[i].kind != Token::Kind::kNumber) return 0;
+    const auto measure = read_measure(lexicon_, tokens_, i);
+    metres = measure ? measure->metres : tokens_[i].number;
+    return i + (measure ? measure->length : 1);
+  }
+
+  // "x=3.0", "x = 1 m, y = 0.5 m"
+  std::size_t read_named(std::size_t i, CoordinatesSaid& said) const {
+    std::size_t last = 0;
+    while (is(i, "x") || is(i, "y")) {
+      if (i > 0 && last == 0 && tokens_[i - 1].kind == Token::Kind::kNumber) return 0;  // "4 x 3 m"
+      if (!is(i + 1, "=") && !is(i + 1, ":")) return last;
+      const std::size_t end = read_metres(i + 2, is(i, "x") ? said.x : said.y);
+      if (end == 0) return last;
+      last = i = end;
+      while (is(i, ",") || is(i, "and")) ++i;
+    }
+    return last;
+  }
+
+  // "at (5.6, 0.4)": two numbers in brackets; a third one is a height, which follows from what it stands on.
+  std::size_t read_pair(std::size_t i, CoordinatesSaid& said) const {
+    if (!is(i, "(") || i == 0 || !leads_to_coordinates(tokens_[i - 1])) return 0;
+    std::size_t end = read_metres(i + 1, said.x);
+    if (end == 0 || !(is(end, ",") || is(end, ";"))) return 0;
+    end = read_metres(end + 1, said.y);
+    std::optional<double> height;
+    if (end > 0 && is(end, ",")) end = read_metres(end + 1, height);
+    return end > 0 && is(end, ")") ? end + 1 : 0;
+  }
+
+  const Lexicon& lexicon_;
+  Document& document_;
+  const std::vector<Token>& tokens_;
+  std::vector<bool>& skip_;
+};
+
+bool is_placed(const Chunk& chunk) {
+  return chunk.kind == ChunkKind::kNoun &&
+         (chunk.noun.kind == NounKind::kObject || chunk.noun.kind == NounKind::kDoor || chunk.noun.kind == NounKind::kWindow);
+}
+
+bool ends_sentence_between(const Document& document, std::size_t first, std::size_t last) {
+  return std::any_of(document.tokens.begin() + static_cast<std::ptrdiff_t>(first),
+                     document.tokens.begin() + static_cast<std::ptrdiff_t>(last), [](const Token& t) { return t.ends_sentence; });
+}
+
+NounPhrase* noun_told(Document& document, std::size_t begin) {
+  std::size_t at = 0;  // the first token behind the place
+  while (at < document.tokens.size() && document.tokens[at].begin < begin) ++at;
+  NounPhrase *before = nullptr, *behind = nullptr;
+  for (Chunk& chunk : document.chunks) {
+    if (!is_placed(chunk)) continue;
+    if (chunk.last <= at && !ends_sentence_between(document, chunk.last, at)) before = &chunk.noun;
+    if (chunk.first >= at && behind == nullptr && !ends_sentence_between(document, at, chunk.first)) behind = &chunk.noun;
+  }
+  return before != nullptr ? before : behind;
+}
+
+// "0.3 m from the west corner" right behind a door or window, its wall or its size: how far, which corner, and the place behind it.
+struct CornerSaid {
+  double metres = 0;
+  std::string corner;
+  std::size_t last = 0;
+};
+CornerSaid corner_said_at(const Lexicon& lexicon, const Document& document, std::size_t i) {
+  const std::vector<Token>& tokens = document.tokens;
+  const auto measure = i < tokens.size() ? read_measure(lexicon, tokens, i) : std::nullopt;
+  if (!measure) return {};
+  std::size_t n = i + measure->length;
+  if (!says_one_of(document, n, {"from", "off"})) return {};
+  for (++n; says_one_of(document, n, {"the", "its"});) ++n;
+  const Match side = lexicon.find(tokens, n, WordClass::kWallWord);
+  if (side.length == 0 || !says_one_of(document, n + side.length, {"corner", "end", "wall", "side"})) return {};
+  return {measure->metres, std::string(meaning_of(side, WordClass::kWallWord)->word), n + side.length + 1};
+}
+
+}  // namespace
+
+void read_coordinates(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
+  CoordinateReader(lexicon, document, skip).run();
+}
+
+void settle_coordinates(const Lexicon& lexicon, Document& document) {
+  for (const CoordinatesSaid& said : document.coordinates) {
+    NounPhrase* noun = noun_told(document, said.begin);
+    if (noun == nullptr || noun->count > 1) continue;
+    if (said.x) noun->at_x = said.x;
+    if (said.y) noun->at_y = said.y;
+  }
+  for (std::size_t i = 0; i < document.tokens.size(); ++i) {
+    const CornerSaid said = corner_said_at(lexicon, document, i);
+    NounPhrase* noun = said.last == 0 ? nullptr : noun_told(document, document.tokens[i].begin);
+    if (noun == nullptr || noun->kind == NounKind::kObject || noun->count > 1) continue;
+    noun->near_corner = said.corner;
+    noun->from_corner = said.metres;
+    take_chunks(document, i, said.last, "where in its wall");
+  }
+}
+
+}  // namespace layoutbox::offline
