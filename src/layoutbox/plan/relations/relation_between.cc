@@ -49,7 +49,14 @@ void RelationBuilder::add_seats_near(const Link& link, const std::vector<std::st
 // "a stove to the right of the sink with a counter between": between these two, not between several that the text has besides.
 std::vector<int> RelationBuilder::parted_by(const Link& link) const {
   const std::string said = words_between(document_, link.first, link.last);
-  if ((said != "between" && said != "in between") || link.references.size() != 1) return link.references;
+  const bool bare = said.ends_with("between");
+  if ((!bare && said != "between them") || link.references.size() != 1) return link.references;
+  const Mention& one = mention(link.references.front());
+  if (one.noun.kind == NounKind::kObject && one.items.size() == 1 && one.noun.last <= link.first) {
+    const std::vector<int> two = last_two_before(link);
+    return two.size() == 2 ? two : link.references;
+  }
+  if (!bare) return link.references;
   auto at = std::ranges::find_if(document_.links, [&](const Link& l) { return &l == &link; });
   if (at == document_.links.end()) return link.references;
   while (at != document_.links.begin() && (&*at == &link || at->kind == Link::Kind::kHave)) --at;
@@ -67,6 +74,20 @@ std::vector<int> RelationBuilder::parted_by(const Link& link) const {
   };
   if (is_of(before.targets[0]) || is_of(before.references[0])) return link.references;
   return {before.targets[0], before.references[0]};
+}
+
+// "The sofa is at the back wall, the TV stand at the front wall, a table halfway between": of the last two things that stand on the floor.
+std::vector<int> RelationBuilder::last_two_before(const Link& link) const {
+  std::vector<int> two;
+  for (std::size_t m = document_.mentions.size(); m-- > 0 && two.size() < 2;) {
+    const Mention& thing = document_.mentions[m];
+    const bool before = thing.noun.last <= link.first && thing.noun.kind == NounKind::kObject && thing.items.size() == 1;
+    if (!before || std::ranges::find(link.targets, static_cast<int>(m)) != link.targets.end() || mount_of(thing.noun) != Mount::kFloor) continue;
+    const auto is_same = [&](int other) { return mention(other).items == thing.items; };
+    if (std::ranges::none_of(two, is_same) && std::ranges::none_of(link.targets, is_same)) two.push_back(static_cast<int>(m));
+  }
+  std::ranges::reverse(two);
+  return two;
 }
 
 void RelationBuilder::add_between(const Link& link, const std::vector<int>& targets) {

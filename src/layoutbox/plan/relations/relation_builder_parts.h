@@ -77,6 +77,7 @@ class RelationBuilder : private RelationWriter {
   std::string carrier_of(const std::vector<std::string>& objects) const;
   std::vector<std::vector<std::string>> between_pairs(const Link& link, const std::vector<std::string>& all) const;
   std::vector<int> parted_by(const Link& link) const;
+  std::vector<int> last_two_before(const Link& link) const;
   void add_between(const Link& link, const std::vector<int>& targets);
   void add_seats_near(const Link& link, const std::vector<std::string>& seats, int table);
   bool are_flankers(const std::vector<std::string>& pair, int middle) const;
