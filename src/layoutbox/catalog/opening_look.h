@@ -27,6 +27,7 @@ struct OpeningLook {
   OpeningShape shape = OpeningShape::kRectangle;
   std::string pane, frame;  // surfaces as a text asks for them; empty: the usual ones
   std::optional<Mm> width, height, sill;
+  friend bool operator==(const OpeningLook&, const OpeningLook&) = default;
 };
 
 // Of those words and phrases; what the table does not know changes nothing.

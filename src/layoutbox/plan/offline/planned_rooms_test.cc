@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "layoutbox/catalog/catalog.h"
+#include "layoutbox/catalog/normalize.h"
 #include "layoutbox/plan/offline/test_planner.h"
 
 namespace layoutbox {
@@ -100,6 +102,18 @@ TEST_F(PlannedRooms, KnowsTheKindOfRoom) {
   EXPECT_EQ(scene("A cozy living room with a sofa.").room.type, "living_room");
   EXPECT_EQ(scene("Waiting room with eight chairs").room.type, "waiting_room");
   EXPECT_EQ(scene("Meeting room for ten: long table, ten chairs.").room.type, "conference_room");
+}
+
+TEST_F(PlannedRooms, OpeningsStandWhereCoordinatesSay) {
+  const auto normal = [&](const std::string& text) {
+    return normalize_scene(scene(text), Catalog::builtin()).value().room.openings.front();
+  };
+  EXPECT_EQ(normal("A room 6 x 4.5 m with a bed. Door 0.9 m wide in the left wall at y=3.5.").offset, 550);  // from the back
+  EXPECT_EQ(normal("A room 6 x 4.5 m with a bed. Door 0.9 m wide in the front wall, 0.3 m from the left corner.").offset, 300);
+  const Opening window = normal("A room 6 x 4.5 m with a bed. A window 2 m wide in the right wall at y = 2 m, sill at 0.8 m.");
+  EXPECT_EQ(window.offset, 1000);
+  EXPECT_EQ(window.sill, 800);
+  EXPECT_EQ(scene("A bedroom with a bed. Window full height on the left wall.").room.openings.front().wall, "left");
 }
 
 TEST_F(PlannedRooms, PutsDoorsAndWindowsWhereTheTextSays) {

@@ -32,6 +32,7 @@
 #include "layoutbox/plan/passes/wall_lists.h"
 #include "layoutbox/plan/passes/wordings.h"
 #include "layoutbox/plan/room/coordinates.h"
+#include "layoutbox/plan/room/looks_behind.h"
 #include "layoutbox/plan/room/room_reader.h"
 #include "layoutbox/plan/room/slopes.h"
 
@@ -43,6 +44,8 @@ template <void (*run)(Document&)>
 constexpr auto kWithout = [](const Lexicon&, Document& document) { run(document); };
 
 constexpr WordPass kWordPasses[] = {
+    {"looks behind", put_looks_before, "A bedroom with a bed. Window full height on the left wall.",
+     "A bedroom with a bed. Full height window on the left wall."},
     {"second roles", read_second_roles, "A flat with a bed that is also the sofa.", "A flat with a sofa bed."},
     {"coordinates", read_coordinates, "A hall with a lamp, its middle at x = 2 m and y = 1 m.", "A hall with a lamp at (2, 1)."},
     {"owners", read_owners, "Her bed is on the left wall, his is on the right wall.",

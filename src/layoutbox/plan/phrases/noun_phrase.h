@@ -76,6 +76,7 @@ struct NounPhrase {
   bool in_middle = false;     // of a door or window: in the middle of that wall
   std::string near_corner;    // … or at its end towards that wall
   std::optional<double> from_corner;  // … so far off it, metres
+  std::optional<double> sill;         // of a window: how high, metres
   std::optional<double> at_x, at_y;   // its middle, metres from the room's left and from its front wall
   std::string wall_relation;  // opposite, other, adjacent, same
   SaidSize size;

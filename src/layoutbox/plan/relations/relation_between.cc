@@ -48,31 +48,30 @@ void RelationBuilder::add_seats_near(const Link& link, const std::vector<std::st
 
 // "a stove to the right of the sink with a counter between": between these two, not between several that the text has besides.
 std::vector<int> RelationBuilder::parted_by(const Link& link) const {
-  const std::string said = words_between(document_, link.first, link.last);
-  const bool bare = said.ends_with("between");
-  if ((!bare && said != "between them") || link.references.size() != 1) return link.references;
+  const bool bare = link.last > 0 && says_one_of(document_, link.last - 1, {"between"});
+  const bool them = link.last > 0 && says_one_of(document_, link.last - 1, {"them"});
+  if ((!bare && !them) || link.references.size() != 1) return link.references;
   const Mention& one = mention(link.references.front());
-  if (one.noun.kind == NounKind::kObject && one.items.size() == 1 && one.noun.last <= link.first) {
-    const std::vector<int> two = last_two_before(link);
-    return two.size() == 2 ? two : link.references;
-  }
-  if (!bare) return link.references;
+  const bool lonely = one.noun.kind == NounKind::kObject && one.items.size() == 1 && one.noun.last <= link.first;
+  const std::vector<int> two = lonely ? last_two_before(link) : std::vector<int>{};
+  const std::vector<int>& others = two.size() == 2 ? two : link.references;
+  if (!bare) return others;
   auto at = std::ranges::find_if(document_.links, [&](const Link& l) { return &l == &link; });
-  if (at == document_.links.end()) return link.references;
+  if (at == document_.links.end()) return others;
   while (at != document_.links.begin() && (&*at == &link || at->kind == Link::Kind::kHave)) --at;
   const Link& before = *at;
   const auto is_thing = [&](const std::vector<int>& said_of) { return said_of.size() == 1 && mention(said_of[0]).items.size() == 1; };
   const bool pair = before.kind == Link::Kind::kRelation && is_thing(before.targets) && is_thing(before.references);
-  if (!pair || before.targets[0] == link.targets[0] || before.references[0] == link.targets[0]) return link.references;
+  if (!pair || before.targets[0] == link.targets[0] || before.references[0] == link.targets[0]) return others;
   const auto& tokens = document_.tokens;
   for (std::size_t i = before.last; i < link.first; ++i) {
-    if (tokens[i].ends_sentence) return link.references;
+    if (tokens[i].ends_sentence) return others;
   }
   const auto is_of = [&](int m) {
     const std::vector<int>& items = mention(link.references[0]).items;
     return items.size() > 1 && std::ranges::find(items, mention(m).items.front()) != items.end();
   };
-  if (is_of(before.targets[0]) || is_of(before.references[0])) return link.references;
+  if (is_of(before.targets[0]) || is_of(before.references[0])) return others;
   return {before.targets[0], before.references[0]};
 }
 

@@ -117,6 +117,25 @@ CornerSaid corner_said_at(const Lexicon& lexicon, const Document& document, std:
   return {measure->metres, std::string(meaning_of(side, WordClass::kWallWord)->word), n + side.length + 1};
 }
 
+// "sill at 0.8 m", "sill height 90 cm", "a 50 cm sill": how high, and the place behind it.
+struct SillSaid {
+  double metres = 0;
+  std::size_t last = 0;
+};
+SillSaid sill_said_at(const Lexicon& lexicon, const Document& document, std::size_t i) {
+  const std::vector<Token>& tokens = document.tokens;
+  if (i < tokens.size() && tokens[i].kind == Token::Kind::kNumber) {
+    const auto before = read_measure(lexicon, tokens, i);
+    const std::size_t end = before ? i + before->length : 0;
+    return before && says_one_of(document, end, {"sill"}) ? SillSaid{before->metres, end + 1} : SillSaid{};
+  }
+  if (!says_one_of(document, i, {"sill", "sills"})) return {};
+  std::size_t n = i + 1;
+  while (says_one_of(document, n, {"height", "at", "of", "is", ":", "=", "a"})) ++n;
+  const auto measure = n < tokens.size() ? read_measure(lexicon, tokens, n) : std::nullopt;
+  return measure ? SillSaid{measure->metres, n + measure->length} : SillSaid{};
+}
+
 }  // namespace
 
 void read_coordinates(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
@@ -131,6 +150,12 @@ void settle_coordinates(const Lexicon& lexicon, Document& document) {
     if (said.y) noun->at_y = said.y;
   }
   for (std::size_t i = 0; i < document.tokens.size(); ++i) {
+    const SillSaid sill = sill_said_at(lexicon, document, i);
+    if (NounPhrase* window = sill.last == 0 ? nullptr : noun_told(document, document.tokens[i].begin);
+        window != nullptr && window->kind == NounKind::kWindow) {
+      window->sill = sill.metres;
+      take_chunks(document, i, sill.last, "how high the sill is");
+    }
     const CornerSaid said = corner_said_at(lexicon, document, i);
     NounPhrase* noun = said.last == 0 ? nullptr : noun_told(document, document.tokens[i].begin);
     if (noun == nullptr || noun->kind == NounKind::kObject || noun->count > 1) continue;

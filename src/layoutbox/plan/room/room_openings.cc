@@ -187,7 +187,10 @@ Opening opening_said(OpeningType type, const NounPhrase& noun) {
   if (noun.size.width) opening.width = mm_from_m(*noun.size.width);
   if (noun.size.height) opening.height = mm_from_m(*noun.size.height);
   constexpr Mm kUsualTop = 2400;  // no higher than ceilings mostly are: a tall window begins lower
-  if (window && !look.sill) opening.sill = std::clamp<Mm>(kUsualTop - opening.height, 50, opening.sill);
+  if (noun.sill)
+    opening.sill = mm_from_m(*noun.sill);
+  else if (window && !look.sill)
+    opening.sill = std::clamp<Mm>(kUsualTop - opening.height, 50, opening.sill);
   return opening;
 }
 
