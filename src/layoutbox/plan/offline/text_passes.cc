@@ -17,6 +17,7 @@
 #include "layoutbox/plan/passes/inventory.h"
 #include "layoutbox/plan/passes/labels.h"
 #include "layoutbox/plan/passes/likewise.h"
+#include "layoutbox/plan/passes/modals.h"
 #include "layoutbox/plan/passes/owners.h"
 #include "layoutbox/plan/passes/purposes.h"
 #include "layoutbox/plan/passes/relatives.h"
@@ -62,6 +63,7 @@ constexpr WordPass kWordPasses[] = {
     {"requests", read_requests, "I was hoping to have a bed in the corner.", "A bed in the corner."},
     {"bans", read_bans, "A bedroom with a bed and a desk. Nothing in front of the window.",
      "A bedroom with a bed and a desk. Keep the window free."},
+    {"modals", read_modals, "A bathroom. A cart shall carry four towels.", "A bathroom. A cart carries four towels."},
     {"uses", read_uses, "A bed, and somewhere to put my clothes.", "A bed and a wardrobe."},
     {"wordings", read_wordings, "A bedroom with a bed shoved up to the left wall.", "A bedroom with a bed against the left wall."},
     {"slopes", read_slopes, "A bedroom whose ceiling slopes down on the left side, with a bed.",
