@@ -116,6 +116,8 @@ constexpr PhrasePass kPhrasePasses[] = {
      "A classroom with 12 desks in four rows of three."},
     {"forward counts", kWithout<settle_forward_counts>, "Each desk has a lamp. There are two desks.",
      "There are two desks. Each desk has a lamp."},
+    {"counts of each", settle_counts_of_each, "A kitchen with knives, forks and spoons on the table, two of each.",
+     "A kitchen with two knives, two forks and two spoons on the table."},
     {"forward wholes", settle_forward_wholes, "Both sofas have cushions. There are two sofas.",
      "There are two sofas. Both sofas have cushions."},
     {"forward names", kWithout<settle_forward_names>, "A bedroom. Leave space round the bed. A single bed is in the corner.",

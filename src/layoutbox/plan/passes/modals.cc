@@ -47,8 +47,6 @@ class ModalReader : public TokenReader {
 
 }  // namespace
 
-void read_modals(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
-  ModalReader(lexicon, document.tokens, skip).run();
-}
+void read_modals(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) { ModalReader(lexicon, document.tokens, skip).run(); }
 
 }  // namespace layoutbox::offline

@@ -60,8 +60,8 @@ bool NounPhraseReader::ends_what_is_had() const {
   constexpr std::size_t kBack = 12;
   const std::size_t next = i_ + 1, place = next < tokens_.size() ? lexicon_.find_phrase(tokens_, next).length : 0;
   const auto speaks_of_it = [](const Token& token) { return token.text == "it" || token.text == "its"; };
-  const bool over = next >= tokens_.size() || tokens_[next].kind == Token::Kind::kPunctuation || lexicon_.is(tokens_[next], WordClass::kAnd) ||
-                    std::ranges::any_of(tokens_.subspan(next, place), speaks_of_it) ||
+  const bool over = next >= tokens_.size() || tokens_[next].kind == Token::Kind::kPunctuation ||
+                    lexicon_.is(tokens_[next], WordClass::kAnd) || std::ranges::any_of(tokens_.subspan(next, place), speaks_of_it) ||
                     (next + place < tokens_.size() && place > 0 && speaks_of_it(tokens_[next + place]));
   for (std::size_t t = phrase_.first; over && t-- > 0 && t + kBack > phrase_.first && !tokens_[t].ends_sentence;) {
     const PhraseMatch phrase = lexicon_.find_phrase(tokens_, t);
