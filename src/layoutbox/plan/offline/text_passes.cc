@@ -2,6 +2,7 @@
 
 #include "layoutbox/plan/offline/people.h"
 #include "layoutbox/plan/passes/absent.h"
+#include "layoutbox/plan/passes/agents.h"
 #include "layoutbox/plan/passes/alternatives.h"
 #include "layoutbox/plan/passes/bans.h"
 #include "layoutbox/plan/passes/bare_corners.h"
@@ -48,6 +49,8 @@ constexpr WordPass kWordPasses[] = {
     {"examples", read_examples, "On the table are three objects: a bowl, a cup and a vase.", "On the table are a bowl, a cup and a vase."},
     {"likewise", read_likewise, "A workshop. A lathe stands against the wall, and so does a drill press.",
      "A workshop. A lathe stands against the wall, and a drill press stands against the wall."},
+    {"agents", read_agents, "A bedroom. The bed is flanked by a table and by a chest.",
+     "A bedroom. The bed is flanked by a table and flanked by a chest."},
     {"wall lists", complete_wall_lists, "Bookcases on the left and right walls.", "Bookcases on the left wall and the right wall."},
     {"halves", read_halves, "A room with a bed and a desk. The left half is for the desk.",
      "A room with a bed and a desk. The desk is in the left half."},

@@ -42,7 +42,8 @@ double Decoder::attach_score(const State& state, int u, int level, bool inverse)
   return score;
 }
 
-// "flanked by a cart, stocked with a bucket, and by a stand": told of the cart by the way, as the clause goes on with the same "by".
+// "flanked by a cart, stocked with a bucket, and (flanked) by a stand": told of the cart by the way, as the clause goes on in the same
+// words.
 bool Decoder::is_aside_of(const State& state, int u, int member) const {
   constexpr int kAhead = 8;  // units
   const int place = read_as(state, member).predicate;
@@ -50,7 +51,7 @@ bool Decoder::is_aside_of(const State& state, int u, int member) const {
   const auto preposition = [&](int p) { return std::string_view(document_.tokens[chunk(p).last - 1].text); };
   for (int v = u + 1; v <= u + kAhead && v < static_cast<int>(sentence_.size()) && !is(v, UnitKind::kVerb); ++v) {
     const bool joined = unit(v).joiner == Joiner::kAnd || unit(v).joiner == Joiner::kCommaAnd;
-    if (joined && is(v, UnitKind::kPlace) && chunk(v).last == chunk(v).first + 1 && preposition(v) == preposition(place)) return true;
+    if (joined && is(v, UnitKind::kPlace) && !unit(v).inverse.empty() && preposition(v) == preposition(place)) return true;
   }
   return false;
 }
