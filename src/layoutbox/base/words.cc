@@ -59,22 +59,24 @@ std::string counted(std::size_t count, std::string_view one, std::string_view ma
 }
 
 std::string singular_of(std::string_view word) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 30> kIrregular = {{
-      {"shelves", "shelf"},   {"bookshelves", "bookshelf"},
-      {"knives", "knife"},    {"loaves", "loaf"},
-      {"leaves", "leaf"},     {"scarves", "scarf"},
-      {"cookies", "cookie"},  {"movies", "movie"},
-      {"mice", "mouse"},      {"children", "child"},
-      {"childrens", "child"}, {"kiddos", "kid"},
-      {"people", "person"},   {"feet", "foot"},
-      {"men", "man"},         {"women", "woman"},
-      {"halves", "half"},     {"wolves", "wolf"},
-      {"wives", "wife"},      {"men's", "man"},
-      {"chaises", "chaise"},  {"vases", "vase"},
-      {"glasses", "glass"},   {"lenses", "lens"},
-      {"canvases", "canvas"}, {"tomatoes", "tomato"},
-      {"potatoes", "potato"}, {"buses", "bus"},
-      {"cacti", "cactus"},    {"geese", "goose"},
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 34> kIrregular = {{
+      {"shelves", "shelf"},    {"bookshelves", "bookshelf"},
+      {"knives", "knife"},     {"loaves", "loaf"},
+      {"leaves", "leaf"},      {"scarves", "scarf"},
+      {"cookies", "cookie"},   {"movies", "movie"},
+      {"mice", "mouse"},       {"children", "child"},
+      {"childrens", "child"},  {"kiddos", "kid"},
+      {"people", "person"},    {"feet", "foot"},
+      {"men", "man"},          {"women", "woman"},
+      {"halves", "half"},      {"wolves", "wolf"},
+      {"wives", "wife"},       {"men's", "man"},
+      {"chaises", "chaise"},   {"vases", "vase"},
+      {"glasses", "glass"},    {"lenses", "lens"},
+      {"canvases", "canvas"},  {"tomatoes", "tomato"},
+      {"potatoes", "potato"},  {"buses", "bus"},
+      {"cacti", "cactus"},     {"geese", "goose"},
+      {"plushies", "plushie"}, {"hoodies", "hoodie"},
+      {"brownies", "brownie"}, {"beanies", "beanie"},
   }};
   for (const auto& [plural, singular] : kIrregular) {
     if (word == plural) return std::string(singular);

@@ -2,6 +2,7 @@
 
 #include "layoutbox/plan/offline/people.h"
 #include "layoutbox/plan/passes/absent.h"
+#include "layoutbox/plan/passes/agents.h"
 #include "layoutbox/plan/passes/alternatives.h"
 #include "layoutbox/plan/passes/bans.h"
 #include "layoutbox/plan/passes/bare_corners.h"
@@ -17,6 +18,7 @@
 #include "layoutbox/plan/passes/inventory.h"
 #include "layoutbox/plan/passes/labels.h"
 #include "layoutbox/plan/passes/likewise.h"
+#include "layoutbox/plan/passes/modals.h"
 #include "layoutbox/plan/passes/owners.h"
 #include "layoutbox/plan/passes/purposes.h"
 #include "layoutbox/plan/passes/relatives.h"
@@ -54,6 +56,8 @@ constexpr WordPass kWordPasses[] = {
     {"examples", read_examples, "On the table are three objects: a bowl, a cup and a vase.", "On the table are a bowl, a cup and a vase."},
     {"likewise", read_likewise, "A workshop. A lathe stands against the wall, and so does a drill press.",
      "A workshop. A lathe stands against the wall, and a drill press stands against the wall."},
+    {"agents", read_agents, "A bedroom. The bed is flanked by a table and by a chest.",
+     "A bedroom. The bed is flanked by a table and flanked by a chest."},
     {"wall lists", complete_wall_lists, "Bookcases on the left and right walls.", "Bookcases on the left wall and the right wall."},
     {"halves", read_halves, "A room with a bed and a desk. The left half is for the desk.",
      "A room with a bed and a desk. The desk is in the left half."},
@@ -69,6 +73,7 @@ constexpr WordPass kWordPasses[] = {
     {"requests", read_requests, "I was hoping to have a bed in the corner.", "A bed in the corner."},
     {"bans", read_bans, "A bedroom with a bed and a desk. Nothing in front of the window.",
      "A bedroom with a bed and a desk. Keep the window free."},
+    {"modals", read_modals, "A bathroom. A cart shall carry four towels.", "A bathroom. A cart carries four towels."},
     {"uses", read_uses, "A bed, and somewhere to put my clothes.", "A bed and a wardrobe."},
     {"wordings", read_wordings, "A bedroom with a bed shoved up to the left wall.", "A bedroom with a bed against the left wall."},
     {"slopes", read_slopes, "A bedroom whose ceiling slopes down on the left side, with a bed.",
@@ -122,6 +127,8 @@ constexpr PhrasePass kPhrasePasses[] = {
      "A classroom with 12 desks in four rows of three."},
     {"forward counts", kWithout<settle_forward_counts>, "Each desk has a lamp. There are two desks.",
      "There are two desks. Each desk has a lamp."},
+    {"counts of each", settle_counts_of_each, "A kitchen with knives, forks and spoons on the table, two of each.",
+     "A kitchen with two knives, two forks and two spoons on the table."},
     {"forward wholes", settle_forward_wholes, "Both sofas have cushions. There are two sofas.",
      "There are two sofas. Both sofas have cushions."},
     {"forward names", kWithout<settle_forward_names>, "A bedroom. Leave space round the bed. A single bed is in the corner.",

@@ -240,4 +240,37 @@ void settle_forward_counts(Document& document) {
   }
 }
 
+// The things that end before the chunk at k are listed with no number: "sofas, chairs and lamps" of "…, one of each".
+std::vector<NounPhrase*> bare_list_before(std::vector<Chunk>& chunks, std::size_t k) {
+  std::vector<NounPhrase*> listed;
+  for (std::size_t c = k; c-- > 0;) {
+    const ChunkKind kind = chunks[c].kind;
+    if (kind == ChunkKind::kComma || kind == ChunkKind::kAnd || kind == ChunkKind::kIgnored) continue;
+    const bool place = kind == ChunkKind::kRelation || (c > 0 && chunks[c - 1].kind == ChunkKind::kRelation);  // "… on the table"
+    if (place && listed.empty()) continue;
+    if (!is_thing(chunks[c]) || chunks[c].noun.count > 0 || chunks[c].noun.determiner != Determiner::kNone) break;
+    listed.push_back(&chunks[c].noun);
+  }
+  return listed;
+}
+
+void settle_counts_of_each(const Lexicon& lexicon, Document& document) {
+  const std::vector<Token>& tokens = document.tokens;
+  for (std::size_t k = 1; k < document.chunks.size() && !is_set(document.stop); ++k) {
+    const std::size_t first = document.chunks[k].first;
+    const NumberRead number = read_number(lexicon, tokens, first);
+    const std::size_t of = first + number.length, end = of + 2;
+    if (number.length == 0 || number.value < 1 || !says_one_of(document, of, {"of"}) || !says_one_of(document, of + 1, {"each"})) continue;
+    if (end < tokens.size() && tokens[end].kind != Token::Kind::kPunctuation) continue;
+    const std::vector<NounPhrase*> listed = bare_list_before(document.chunks, k);
+    if (listed.size() < 2) continue;
+    for (NounPhrase* thing : listed) {
+      thing->count = static_cast<int>(number.value);
+      thing->plural = thing->count > 1;
+    }
+    for (std::size_t c = k; c < document.chunks.size() && document.chunks[c].first < end; ++c)
+      document.chunks[c].kind = ChunkKind::kIgnored;
+  }
+}
+
 }  // namespace layoutbox::offline

@@ -12,6 +12,9 @@ void settle_forward_counts(Document& document);
 // "Both sofas have cushions. There are two sofas.": how many "both" or "the two rows of" are, where only a later mention brings them in.
 void settle_forward_wholes(const Lexicon& lexicon, Document& document);
 
+// "sofas, chairs and lamps, one of each": so many of each thing that is listed without a number.
+void settle_counts_of_each(const Lexicon& lexicon, Document& document);
+
 // "8 beds as bunks": four bunk beds.
 void settle_bunks(const Lexicon& lexicon, Document& document);
 

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "layoutbox/plan/phrases/knowledge.h"
+#include "layoutbox/plan/phrases/reader_words.h"
 #include "layoutbox/plan/words/english.h"
 #include "layoutbox/plan/words/word_sets.h"
 
@@ -221,6 +222,7 @@ class InsertReader {
   // "Either side of the window gets a bookshelf", "on the wall has one clock", "on it the cook keeps a kettle": there it is.
   void read_place_has(std::size_t k) {
     if (!is(k, ChunkKind::kRelation) || !begins_clause(k)) return;
+    if (stands_alone(k) && is_thing(k + 1) && is_new(chunks_[k + 1].noun)) return;  // "to its left a rack holds": the rack does
     const std::size_t after = is(k + 1, ChunkKind::kNoun) ? k + 2 : k + 1;
     std::size_t has = after;
     while (has < after + 2 && (is(has, ChunkKind::kIgnored) || (is(has, ChunkKind::kNoun) && !is_thing(has)))) ++has;
@@ -248,6 +250,12 @@ class InsertReader {
     if (!is(k - 1, ChunkKind::kComma) || !is(k - 2, ChunkKind::kAnd)) return;
     pass_over(k - 1, k, "joins");
     pass_over(k + 2, k + 3, "joins");
+  }
+
+  // "to its left", "on the right": a place that needs nothing after it.
+  bool stands_alone(std::size_t place) const {
+    const PhraseSenses* senses = chunks_[place].phrase.senses;
+    return senses != nullptr && has_direction(*senses, Direction::kAlone);
   }
 
   static bool is_new(const NounPhrase& noun) {

@@ -137,7 +137,7 @@ bool Chunker::read_finding() {
   return true;
 }
 
-// "I'm writing a thriller", "nobody will weigh the dog". "I'm building a cabin" is about the cabin.
+// "I'm writing a thriller", "nobody will weigh the dog". "I'm building a cabin" is about the cabin, "we are placing a sofa" about the sofa.
 bool Chunker::read_doing() {
   if (!follows_doer()) return false;
   if (is_deed(i_)) {

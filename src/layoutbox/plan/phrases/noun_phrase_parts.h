@@ -114,6 +114,7 @@ class NounPhraseReader {
   bool names_on(const Match& match) const;
   bool is_namesake(std::size_t head) const;
   bool names_after_one(const Match& match) const;
+  bool ends_what_is_had() const;
   bool read_part();
   bool count_follows() const;
   bool verb_follows() const;

@@ -7,6 +7,7 @@
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/phrases/knowledge.h"
 #include "layoutbox/plan/phrases/noun_phrase_parts.h"
+#include "layoutbox/plan/phrases/reader_words.h"
 #include "layoutbox/plan/words/english.h"
 #include "layoutbox/plan/words/word_sets.h"
 
@@ -51,7 +52,24 @@ bool NounPhraseReader::names_after_one(const Match& match) const {
   if (plural_at(i_) || text.ends_with("ed") || text.ends_with("ing") || opens_at(i_ + 1)) return false;
   if (phrase_.first == 0) return true;
   const Token& before = tokens_[phrase_.first - 1];  // "a table and a lamp stand in the corner": of both
-  return !lexicon_.is(before, WordClass::kAnd) && !one_of(before.text, WordSet::kCausing);
+  return (!lexicon_.is(before, WordClass::kAnd) || ends_what_is_had()) && !one_of(before.text, WordSet::kCausing);
+}
+
+// "with a globe and a pipe stand.", "topped by a clock and a pen stand on it": what something has ends with that word, so it is no verb.
+bool NounPhraseReader::ends_what_is_had() const {
+  constexpr std::size_t kBack = 12;
+  const std::size_t next = i_ + 1, place = next < tokens_.size() ? lexicon_.find_phrase(tokens_, next).length : 0;
+  const auto speaks_of_it = [](const Token& token) { return token.text == "it" || token.text == "its"; };
+  const bool over = next >= tokens_.size() || tokens_[next].kind == Token::Kind::kPunctuation ||
+                    lexicon_.is(tokens_[next], WordClass::kAnd) || std::ranges::any_of(tokens_.subspan(next, place), speaks_of_it) ||
+                    (next + place < tokens_.size() && place > 0 && speaks_of_it(tokens_[next + place]));
+  for (std::size_t t = phrase_.first; over && t-- > 0 && t + kBack > phrase_.first && !tokens_[t].ends_sentence;) {
+    const PhraseMatch phrase = lexicon_.find_phrase(tokens_, t);
+    const bool holds = phrase.length > 0 && has_direction(*phrase.senses, Direction::kInverse);
+    if (holds || lexicon_.is(tokens_[t], WordClass::kHave) || lexicon_.find(tokens_, t, WordClass::kThere).length > 0) return true;
+    if (lexicon_.is(tokens_[t], WordClass::kRelative)) return false;
+  }
+  return false;
 }
 
 bool NounPhraseReader::read_part() {

@@ -125,6 +125,7 @@ class Decoder {
   void attach_to(std::size_t s, int u, Kind kind, std::size_t level);
   void have_actions(std::size_t s, int u);
   void finite_have_actions(std::size_t s, int u);
+  bool is_aside_of(const State& state, int u, int member) const;
   double finite_score(const State& state, int u, int member, int steps) const;
   double own_place_score(int u) const;
   bool tops_clause(const State& state, int u) const;

@@ -25,6 +25,15 @@ NounPhrase unsaid(const PhraseSenses& senses) {
   return them;
 }
 
+// "to the left" of "to the right".
+bool are_opposed(const PhraseSenses& one, const PhraseSenses& other) {
+  using enum RelationType;
+  static constexpr std::pair<RelationType, RelationType> kSides[] = {{kLeftOf, kRightOf}, {kInFrontOf, kBehind}, {kAtHeadOf, kAtFootOf}};
+  return std::ranges::any_of(kSides, [&](const auto& sides) {
+    return (says(one, sides.first) && says(other, sides.second)) || (says(one, sides.second) && says(other, sides.first));
+  });
+}
+
 }  // namespace
 
 // What the sentence placed something else to the left or right of, where the place at u says left or right.
@@ -35,11 +44,13 @@ Referent Decoder::side_host(const State& state, int u, const PhraseSenses& sense
   const bool by_side = across(senses), by_end = at_end(senses);
   if (!by_side && !by_end && !along(senses)) return kNobody;
   const auto sides = [&](const PhraseSenses& all) { return by_side ? across(all) : by_end ? at_end(all) : along(all); };
+  bool contrasted = false;
   for (int p = u; p-- > 0;) {
     const UnitReading& place = read_as(state, p);
-    // Of another clause, or after a place that it begins with.
-    if (unit(p + 1).clause || (p + 1 < u && is(p + 1, UnitKind::kPlace) && read_as(state, p + 1).fronted && !read_as(state, p + 1).alone))
-      return kNobody;
+    // Of another clause, unless that says the other side ("…, whereas a lamp stands to the right"), or after a place that it begins with.
+    contrasted = contrasted || unit(p + 1).clause;
+    if (contrasted && is(p, UnitKind::kPlace) && !are_opposed(senses, place.alone ? alone_senses(p) : unit(p).direct)) return kNobody;
+    if (p + 1 < u && is(p + 1, UnitKind::kPlace) && read_as(state, p + 1).fronted && !read_as(state, p + 1).alone) return kNobody;
     // "a pot to the left of it, a lamp to the right, two chisels in front": of what the last unsaid side was of.
     const bool chained =
         is(p, UnitKind::kPlace) && along(senses) && !follows(u, UnitKind::kNoun) && place.alone && !says_its(u) && across(alone_senses(p));
@@ -75,16 +86,9 @@ std::optional<double> Decoder::room_side_score(const State& state, int u) const 
 // "one to the left and one to the right of the mirror": what the other side's reference, which comes later, is.
 Referent Decoder::side_ahead(int u, const PhraseSenses& senses) const {
   constexpr int kAhead = 4;
-  const auto opposed = [&](RelationType one, RelationType other) {
-    return [&senses, one, other](const PhraseSenses& all) {
-      return (says(senses, one) && says(all, other)) || (says(senses, other) && says(all, one));
-    };
-  };
-  const auto across = opposed(RelationType::kLeftOf, RelationType::kRightOf);
-  const auto along = opposed(RelationType::kInFrontOf, RelationType::kBehind);
   for (int p = u + 1; p <= u + kAhead && p < static_cast<int>(sentence_.size()) && !unit(p).clause; ++p) {
     if (!is(p, UnitKind::kPlace)) continue;
-    if (!(across(unit(p).direct) || along(unit(p).direct)) || !follows(p, UnitKind::kNoun)) return kNobody;
+    if (!are_opposed(senses, unit(p).direct) || !follows(p, UnitKind::kNoun)) return kNobody;
     return speaks_of_others(chunk(p + 1).noun) || is_new_thing(chunk(p + 1).noun) ? kNobody : p + 1;
   }
   return kNobody;

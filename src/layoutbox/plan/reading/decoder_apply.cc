@@ -197,6 +197,7 @@ void Decoder::apply_predicate(State& state, const Action& action, int u) const {
       if (action.unit >= 0) take_subject(state, action, u);
       own.inverse = action.kind == kAttachInverse;
       state.waiting = u;
+      if (action.unit >= 0 && finite_place(u) && state.relative < 0) state.verb = true;  // "fills the corner"
       break;
     case kAttachAlone:
       take_subject(state, action, u);

@@ -26,6 +26,7 @@ double Decoder::attach_score(const State& state, int u, int level, bool inverse)
   // "in the corner by the door": the second place is of the same thing.
   if (again && unit(u).joiner == Joiner::kNone && nearer == 0) score += weight::kSameSubject;
   score += parallel_score(state, u, member);
+  if (steps > 0 && is_aside_of(state, u, member)) score += weight::kTopOfClause;
   // "turned towards a cello on its stand": the cello's
   if (nearer == 0 && unit(u).joiner == Joiner::kNone && names_own_carrier(u)) score += weight::kOwnCarrier;
   if (level > 0 && finite_place(u)) score += finite_score(state, u, member, steps);
@@ -39,6 +40,20 @@ double Decoder::attach_score(const State& state, int u, int level, bool inverse)
   if (member + 1 == u && unit(u).joiner == Joiner::kNone && is_one_of_several(member)) return score + weight::kTellsWhich;
   score += is_known(state, member) ? weight::kKnownSubject : weight::kDefiniteSubject;
   return score;
+}
+
+// "flanked by a cart, stocked with a bucket, and (flanked) by a stand": told of the cart by the way, as the clause goes on in the same
+// words.
+bool Decoder::is_aside_of(const State& state, int u, int member) const {
+  constexpr int kAhead = 8;  // units
+  const int place = read_as(state, member).predicate;
+  if (unit(u).joiner != Joiner::kComma || place < 0 || !is(place, UnitKind::kPlace)) return false;
+  const auto preposition = [&](int p) { return std::string_view(document_.tokens[chunk(p).last - 1].text); };
+  for (int v = u + 1; v <= u + kAhead && v < static_cast<int>(sentence_.size()) && !is(v, UnitKind::kVerb); ++v) {
+    const bool joined = unit(v).joiner == Joiner::kAnd || unit(v).joiner == Joiner::kCommaAnd;
+    if (joined && is(v, UnitKind::kPlace) && !unit(v).inverse.empty() && preposition(v) == preposition(place)) return true;
+  }
+  return false;
 }
 
 // A finite verb that is a place, of another thing than the clause's own, so many steps away from that.

@@ -299,6 +299,10 @@ double Decoder::list_kind_score(const State& state, int member, int u, std::size
   // "supporting a monitor, a ring light, and a microphone": what one carrying word says of a list is said of what may stand on the floor
   // too.
   if (carries_list(predicate) && !has_own_place(u) && (carried || stands_small(noun))) return carried ? weight::kCarriedToo : 0.6;
+  // "bears a till, a jar and a mannequin": what ends the objects of a verb is one of them, whatever such things stand on elsewhere.
+  const bool object = carries_list(predicate) && is_finite(word(predicate)) && joiner != Joiner::kComma && !has_own_place(u) &&
+                      !follows(u, UnitKind::kVerb) && !follows(u, UnitKind::kHave) && !follows(u, UnitKind::kParticiple);
+  if (object && before) return 0.6;
   if (differ && mount_of(noun) == Mount::kFloor && !carried) return weight::kStandsByItself;
   if (differ) return weight::kNotCarried;
   return joiner == Joiner::kComma ? -1.2 : 0;

@@ -67,7 +67,9 @@ int Scribe::antecedent_of(int u) {
   const NounPhrase& noun = chunk(u).noun;
   const bool both = noun.kind == NounKind::kMember && noun.determiner == Determiner::kBoth;
   const bool each_of_them = noun.kind == NounKind::kMember && noun.determiner == Determiner::kEach && noun.subset && !noun.of;
-  const bool plural = noun.plural || both || each_of_them ||
+  // "There is a desk and a workbench. Each has a lamp."
+  const bool each_has = noun.kind == NounKind::kMember && noun.determiner == Determiner::kEach && !noun.of && is(u + 1, UnitKind::kHave);
+  const bool plural = noun.plural || both || each_of_them || each_has ||
                       (noun.kind == NounKind::kMember && noun.determiner == Determiner::kDefinite && noun.count == 2);
   // "the crib is between the wardrobe and the dresser; all three …"
   if (both && noun.count > 0) {
@@ -91,6 +93,7 @@ int Scribe::antecedent_of(int u) {
   const int antecedent = meant.empty() ? -1 : meant.front();
   if (const int listed = list_ranked(noun, antecedent); listed >= 0) return listed;
   if (plural && (antecedent < 0 || mention_at(antecedent).items.size() < 2)) {
+    if (each_has && so_far_.listed.size() > 1) return combined(so_far_.listed);
     const std::vector<int> placed = own.predicate >= 0 ? subjects_of(own.predicate) : std::vector<int>{};
     if (const std::vector<int> two = pair_named_last(u, placed); two.size() == 2) return combined(two);
     if (const std::vector<int> two = two_alike(u, !each_of_them); two.size() == 2 && own.predicate < 0) return combined(two);
