@@ -1,5 +1,6 @@
 #include "layoutbox/plan/room/kitchen_wall.h"
 
+#include "layoutbox/plan/phrases/knowledge.h"
 #include "layoutbox/plan/words/word_sets.h"
 
 namespace layoutbox::offline {
