@@ -10,6 +10,14 @@
 
 namespace layoutbox::offline {
 
+namespace {
+
+bool shares_article(const NounPhrase& noun, const NounPhrase& former) {
+  return noun.determiner == Determiner::kNone && noun.count == 0 && !noun.plural && former.determiner != Determiner::kNone;
+}
+
+}  // namespace
+
 // "a mirror, a shelf with blocks and blankets by the entrance": small things are on the shelf that is there.
 bool Decoder::lies_on_placed(int u, const NounPhrase& host) const {
   const NounPhrase& noun = chunk(u).noun;

@@ -15,10 +15,6 @@ namespace {
 // "stand", "are": of several.
 bool is_plural_verb(std::string_view word) { return !word.ends_with("s") && !word.ends_with("ed") && !word.ends_with("ing"); }
 
-bool shares_article(const NounPhrase& noun, const NounPhrase& former) {
-  return noun.determiner == Determiner::kNone && noun.count == 0 && !noun.plural && former.determiner != Determiner::kNone;
-}
-
 }  // namespace
 
 bool Decoder::is_subject(int u) const { return verb_like(u + 1) && unit(u + 1).joiner == Joiner::kNone && !unit(u + 1).clause; }
