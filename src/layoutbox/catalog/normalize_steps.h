@@ -65,7 +65,8 @@ void normalize_openings(NormalizeContext& context);
 // wall; or may shrink where little stands there and nobody spoke of the room's size.
 double growth_for_furniture(const NormalizeContext& context, double area, double longest_side);
 
-// The room's two sides, grown until the distances that words ask for find room in it, given how large things are: rather longer than larger.
+// The room's two sides, grown until the distances that words ask for find room in it, given how large things are: rather longer than
+// larger.
 struct FloorSides {
   double width = 0, depth = 0;  // mm
 };

@@ -70,9 +70,9 @@ struct Opening {
   // Where along its wall the text has it: "middle", or the corner it is near ("left", "back right"); normalize_scene sets the offset by it.
   // Not in files.
   std::string place{};
-  std::optional<Mm> from_corner{};          // how far it is off that corner. Not in files.
+  std::optional<Mm> from_corner{};           // how far it is off that corner. Not in files.
   std::optional<Mm> middle_x{}, middle_y{};  // where the text has its middle: normalize_scene takes that along its wall. Not in files.
-  std::string called{};  // what the text calls it ("front door"). Not in files.
+  std::string called{};                      // what the text calls it ("front door"). Not in files.
   bool asked() const { return origin == Origin::kAsked; }
 };
 

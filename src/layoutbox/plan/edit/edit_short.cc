@@ -4,6 +4,7 @@
 
 #include "layoutbox/plan/edit/edit_reader.h"
 #include "layoutbox/plan/edit/edit_reader_parts.h"
+#include "layoutbox/plan/phrases/knowledge.h"
 
 namespace layoutbox::edit {
 

@@ -5,7 +5,8 @@
 
 namespace layoutbox::offline {
 
-// What it is besides is no second thing: where the catalogue has a kind of both names ("sofa bed") it is one of those, else what it is first.
+// What it is besides is no second thing: where the catalogue has a kind of both names ("sofa bed") it is one of those, else what it is
+// first.
 void read_second_roles(const Lexicon& lexicon, Document& document, std::vector<bool>& skip);
 
 }  // namespace layoutbox::offline

@@ -81,7 +81,8 @@ std::vector<int> RelationBuilder::last_two_before(const Link& link) const {
   for (std::size_t m = document_.mentions.size(); m-- > 0 && two.size() < 2;) {
     const Mention& thing = document_.mentions[m];
     const bool before = thing.noun.last <= link.first && thing.noun.kind == NounKind::kObject && thing.items.size() == 1;
-    if (!before || std::ranges::find(link.targets, static_cast<int>(m)) != link.targets.end() || mount_of(thing.noun) != Mount::kFloor) continue;
+    if (!before || std::ranges::find(link.targets, static_cast<int>(m)) != link.targets.end() || mount_of(thing.noun) != Mount::kFloor)
+      continue;
     const auto is_same = [&](int other) { return mention(other).items == thing.items; };
     if (std::ranges::none_of(two, is_same) && std::ranges::none_of(link.targets, is_same)) two.push_back(static_cast<int>(m));
   }

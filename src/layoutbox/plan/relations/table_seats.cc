@@ -227,7 +227,7 @@ class TableSeats {
   std::string room_;
   bool counter_named_ = false;
   bool loose_seat_ = false, loose_bench_ = false;
-  std::vector<int> uncounted_seats_;  // … of which nobody says how many
+  std::vector<int> uncounted_seats_;                        // … of which nobody says how many
   std::map<const CatalogEntry*, const Seating*> seatings_;  // by table, as they were asked for
   std::map<const CatalogEntry*, int> desk_of_;              // by seat, the last of the desks that such seats stand at
 };

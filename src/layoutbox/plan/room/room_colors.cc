@@ -151,7 +151,8 @@ class RoomColors {
     if (first < 2 || is_look(first - 2)) return;
     const Scheme scheme = scheme_at(lexicon_, document_.tokens, first);
     const std::size_t end = first + scheme.length;
-    if (!scheme.walls.empty() && says_several(scheme) && (ends(document_.tokens, end) || document_.tokens[end - 1].text == ",")) take(scheme, first, end);
+    if (!scheme.walls.empty() && says_several(scheme) && (ends(document_.tokens, end) || document_.tokens[end - 1].text == ","))
+      take(scheme, first, end);
   }
 
   // "A den in teal and white with …"
