@@ -237,8 +237,8 @@ class TableSeats {
   std::string room_;
   bool counter_named_ = false;
   bool loose_seat_ = false, loose_bench_ = false;
-  int uncounted_ = -1;       // the last of the loose seats of which nobody says how many
-  int uncounted_seats_ = 0;  // and how many those tables have
+  int uncounted_ = -1;                                      // the last of the loose seats of which nobody says how many
+  int uncounted_seats_ = 0;                                 // and how many those tables have
   std::map<const CatalogEntry*, const Seating*> seatings_;  // by table, as they were asked for
   std::map<const CatalogEntry*, int> desk_of_;              // by seat, the last of the desks that such seats stand at
 };

@@ -22,7 +22,7 @@ constexpr std::int64_t kUneven = 400;   // thousandths of the room that a last r
 constexpr std::int64_t kUnseen = 1000;  // the same where not all see what they look at
 constexpr int kSeatsToAisle = 8;        // so many seats of a row are parted by an aisle in the middle
 constexpr Mm kAisle = 1000;
-constexpr Mm kMostSpread = 2400;  // from middle to middle of a few that are shared out over a line through the room
+constexpr Mm kMostSpread = 2400;   // from middle to middle of a few that are shared out over a line through the room
 constexpr Mm kBehindSitter = 600;  // from row to row of desks, beside the seats
 
 // Gaps wanted between neighbours, along the rows and from row to row.

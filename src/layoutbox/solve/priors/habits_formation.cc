@@ -86,9 +86,8 @@ std::optional<Habits::Group> Habits::formation_with(ItemId item) const {
 bool Habits::told_in_line(const Group& group) const {
   return std::ranges::any_of(model_.scene->relations, [&](const Relation& r) {
     return r.type == RelationType::kRow && r.targets.size() == group.members.size() &&
-           std::ranges::all_of(group.members, [&](ItemId member) {
-             return std::ranges::find(r.targets, model_.items[member].id) != r.targets.end();
-           });
+           std::ranges::all_of(group.members,
+                               [&](ItemId member) { return std::ranges::find(r.targets, model_.items[member].id) != r.targets.end(); });
   });
 }
 

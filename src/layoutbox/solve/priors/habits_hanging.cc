@@ -185,13 +185,13 @@ void Habits::leave_free_before(ItemId item) {
   }
 }
 
-// What is looked at does not hang where an open door's leaf covers it: so far from the door, or so far into the room.
+// What is looked at (no hooks) does not hang where an open door's leaf covers it: so far from the door, or so far into the room.
 void Habits::hang_clear_of_doors(ItemId item) {
   constexpr Mm kBesideFrame = 80;
   const Item& self = model_.items[item];
   const bool looked_into = self.is(Trait::kScreen) || self.is(Trait::kMirror);
-  if (!looked_into && !used_sides(self).empty()) return;  // hooks may well be there, pictures not
-  const int behind_leaf = looked_into ? 400 : 150;        // points a metre
+  if (!looked_into && (!used_sides(self).empty() || self.entry->mount != Mount::kWall)) return;
+  const int behind_leaf = looked_into ? 400 : 150;  // points a metre
   for (const ItemId door : model_.items.ids()) {
     const Item& ref = model_.items[door];
     if (!ref.is_opening() || ref.opening->type != OpeningType::kDoor || related(item, door)) continue;

@@ -58,7 +58,8 @@ Mm Habits::air_on_wall(ItemId item, int count) const {
   return wall == model_.walls.end() || !wall->straight ? 0 : std::min(kMostApart, (wall->hi - wall->lo - count * width) / (count + 1));
 }
 
-// "Washer and dryer side by side with a shelf above": over the middle of both, where it is as wide as one. False: it hangs over no such two.
+// "Washer and dryer side by side with a shelf above": over the middle of both, where it is as wide as one. False: it hangs over no such
+// two.
 bool Habits::hang_over_both(ItemId item) {
   const auto host_of = [&](ItemId i) {
     for (const Relation* r : said_of(i)) {
@@ -68,7 +69,9 @@ bool Habits::hang_over_both(ItemId item) {
     return ItemId();
   };
   const ItemId host = host_of(item);
-  if (!host.exists() || model_.items[host].is_opening() || model_.items[item].states[0].size.width < model_.items[host].states[0].size.width)
+  // What stands at a wall stands close to its mate there; over two benches that stand apart it would be over neither.
+  if (!host.exists() || model_.items[host].is_opening() || !model_.items[host].entry->back_to_wall ||
+      model_.items[item].states[0].size.width < model_.items[host].states[0].size.width)
     return false;
   for (const ItemId mate : model_.items.ids()) {
     const bool abreast = related_as_target(host, mate, RelationType::kEdgeAlign) || related_as_target(mate, host, RelationType::kEdgeAlign);
