@@ -74,10 +74,9 @@ std::optional<Habits::Group> Habits::formation_with(ItemId item) const {
   if (self.entry->back_to_wall && !told_where_to_look(item) && group.members.size() < kManyInFormation) return std::nullopt;
   if (group.members.size() < least_in_formation(item) || std::find(group.members.begin(), group.members.end(), item) == group.members.end())
     return std::nullopt;
-  // "Three plinths down the middle": the long way, but for a bar, along which they stand.
+  // "Three plinths down the middle": the long way, where there is no bar.
   if (told_in_line(group) && told_middle_with_others(item) && !self.has_front) {
-    const bool across = model_.room.extent(0) >= model_.room.extent(1) && !counter_of_room().exists();
-    group.columns = across ? static_cast<int>(group.members.size()) : 1;
+    group.columns = model_.room.extent(0) >= model_.room.extent(1) ? static_cast<int>(group.members.size()) : 1;
     group.spread = true;
   }
   return group;
@@ -137,7 +136,8 @@ bool Habits::told_middle_with_others(ItemId item) const {
   bool middle = false;
   for (const Relation& r : model_.scene->relations) {
     if (std::find(r.targets.begin(), r.targets.end(), model_.items[item].id) == r.targets.end()) continue;
-    if (traits_of(r.type).turns || r.type == RelationType::kRow) continue;
+    // In line down the middle; a bar takes up some of it.
+    if (traits_of(r.type).turns || (r.type == RelationType::kRow && !counter_of_room().exists())) continue;
     if (r.type != RelationType::kCenterOfRoom || r.targets.size() < kSeveral) return false;
     middle = true;
   }
