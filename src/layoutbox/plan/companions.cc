@@ -149,9 +149,7 @@ class Companions {
 
   // "The telly in the corner": nothing flat hangs there, it stands on something.
   bool hangs_in_corner(const SceneObject& thing, const SceneObject& sized) const {
-    const bool corner = std::ranges::any_of(scene_.relations_of(thing.id),
-                                            [&](std::size_t r) { return scene_.graph().relations[r].type == RelationType::kCorner; });
-    return corner && sized.mount == Mount::kWall && thing.mount != Mount::kWall;
+    return is_told_in_corner(thing.id) && sized.mount == Mount::kWall && thing.mount != Mount::kWall;
   }
 
   // A sewing machine under the window, where the only table has the middle of the room.
@@ -169,6 +167,12 @@ class Companions {
       any = true;
     }
     return any;
+  }
+
+  // What would stand at its other side keeps it out of the corner.
+  bool is_told_in_corner(const std::string& id) const {
+    return std::ranges::any_of(scene_.relations_of(id),
+                               [&](std::size_t r) { return scene_.graph().relations[r].type == RelationType::kCorner; });
   }
 
   bool has_bed() const {
@@ -218,8 +222,8 @@ class Companions {
     if (companion.up_to > 0 && hosts.size() > static_cast<std::size_t>(companion.up_to)) return;
     for (const std::string& host : hosts) {
       const SceneObject* sized = scene_.sized(host);
-      const bool for_two =
-          companion.both_sides_from > 0 && sized != nullptr && sized->size && sized->size->usual.width >= companion.both_sides_from;
+      const bool for_two = companion.both_sides_from > 0 && sized != nullptr && sized->size &&
+                           sized->size->usual.width >= companion.both_sides_from && !is_told_in_corner(host);
       for (int k = 0; k < companion.each * (for_two ? 2 : 1); ++k) {
         const std::string id = scene_.add(*kind);
         if (on_it && kind->mount == Mount::kSurface) scene_.relate(RelationType::kOn, {id}, host);

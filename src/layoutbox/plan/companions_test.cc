@@ -59,6 +59,8 @@ TEST(Companions, DesksHaveTheirChairsBesideThoseOfAnotherTable) {
 TEST(Companions, ABedForTwoHasANightstandAtEachSide) {
   EXPECT_EQ(count_of(added_to("A bedroom, 4 x 4 m, with a queen bed and a wardrobe."), "nightstand"), 2);
   EXPECT_EQ(count_of(added_to("A bedroom, 4 x 4 m, with a single bed and a wardrobe."), "nightstand"), 1);
+  // One at its other side would keep it out of its corner.
+  EXPECT_EQ(count_of(added_to("A bedroom, 4 x 4 m, with a double bed in the left corner and a wardrobe."), "nightstand"), 1);
 }
 
 TEST(Companions, WhoIsVisitedAtADeskSitsBehindIt) {

@@ -124,5 +124,42 @@ TEST(Sets, AVisitorLooksAtTheBedTheChairIsAt) {
   }
 }
 
+TEST(Sets, AShelfAboveTwoSideBySideHangsOverBoth) {
+  SceneMaker maker(2600, 3000);
+  maker.add("washing_machine").add("dryer").add("wall_shelf").relate("nextTo", {"washing_machine_1"}, {"dryer_1"});
+  maker.relate("edgeAlign", {"dryer_1"}, {"washing_machine_1"}).relate("sameOrientation", {"dryer_1"}, {"washing_machine_1"});
+  const Layout layout = solved_as_asked(maker.relate("above", {"wall_shelf_1"}, {"dryer_1"}).make(true));
+  EXPECT_NEAR(between_middles(layout, "wall_shelf_1", "dryer_1"), between_middles(layout, "wall_shelf_1", "washing_machine_1"), 250);
+}
+
+TEST(Sets, WhoIsToldToSitAtTheEndOfATableHasIt) {
+  SceneMaker maker(4500, 4000);
+  RelationParameters end;
+  end.side = Side::kShort;
+  maker.add("dining_table").sized(1400, 850, 750).add("dining_chair", 5).add("high_chair");
+  maker.relate("around", {"dining_chair_1", "dining_chair_2", "dining_chair_3", "dining_chair_4", "dining_chair_5"}, {"dining_table_1"});
+  const Layout layout = solved_as_asked(maker.relate("alongSide", {"high_chair_1"}, {"dining_table_1"}, end)
+                                            .relate("facing", {"high_chair_1"}, {"dining_table_1"})
+                                            .make(true));
+  const PlacedObject& high = *layout.find_object("high_chair_1");
+  const TestPoint at = in_frame_of(*layout.find_object("dining_table_1"), {high.position[0], high.position[1], 0});
+  EXPECT_LT(std::abs(at.x) - 700 - high.size.depth / 2.0, 300) << "no chair is between";
+}
+
+TEST(Sets, GuestsSitOffTheReceptionDesk) {
+  SceneMaker maker(5500, 4500);
+  maker.add("reception_desk").add("chair", 6).opening(OpeningType::kDoor, "wall1", 2300);
+  for (int i = 1; i <= 6; ++i) maker.relate("againstWall", {"chair_" + std::to_string(i)}, {i % 2 == 0 ? "wall2" : "wall4"});
+  maker.relate("facing", {"reception_desk_1"}, {"door1"});
+  const Layout layout = solved_as_asked(maker.make());
+  const PlacedObject& desk = *layout.find_object("reception_desk_1");
+  for (int i = 1; i <= 6; ++i) {
+    const PlacedObject& chair = *layout.find_object("chair_" + std::to_string(i));
+    const TestPoint at = in_frame_of(desk, {chair.position[0], chair.position[1], 0});
+    const bool off = std::abs(at.x) > desk.size.width / 2.0 + 700 || at.y < -desk.size.depth / 2.0 - 600;
+    EXPECT_TRUE(off && at.y < desk.size.depth / 2.0 + 300) << "chair " << i;
+  }
+}
+
 }  // namespace
 }  // namespace layoutbox::placement

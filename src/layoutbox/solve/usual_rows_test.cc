@@ -105,5 +105,38 @@ TEST(UsualGroups, SeveralSeatsInFrontOfAWindow) {
   for (const char* chair : {"chair_1", "chair_2", "chair_3"}) EXPECT_GT(layout.find_object(chair)->position[1], 2000) << chair;
 }
 
+TEST(UsualGroups, BetweenColumnsOfDesksForTwoOneGetsOut) {
+  SceneMaker maker(9000, 7000);
+  maker.add("whiteboard").relate("onWall", {"whiteboard_1"}, {"wall1"});
+  std::vector<std::string> desks;
+  for (int i = 1; i <= 9; ++i) {
+    desks.push_back("school_desk_" + std::to_string(i));
+    maker.add("school_desk").sized(1200, 500, 750);
+    if (i % 3 == 2) maker.relate("facing", {desks.back()}, {"whiteboard_1"});
+  }
+  RelationParameters three;
+  three.columns = 3;
+  const Layout layout = solved_as_asked(maker.relate("grid", desks, {}, three).make(true));
+  EXPECT_GT(between_middles(layout, "school_desk_1", "school_desk_2"), 1600);
+}
+
+TEST(UsualGroups, WhatStandsDownTheMiddleIsSharedOutOverTheRoom) {
+  SceneMaker maker(10000, 6000);
+  maker.add("plinth", 3);
+  const std::vector<std::string> plinths = {"plinth_1", "plinth_2", "plinth_3"};
+  const Layout layout = solved_as_asked(maker.relate("centerOfRoom", plinths).relate("row", plinths).make(true));
+  for (const std::string& id : plinths) EXPECT_NEAR(layout.find_object(id)->position[1], 3000, 200) << id;
+  EXPECT_GT(between_middles(layout, "plinth_1", "plinth_2"), 1800);
+}
+
+TEST(UsualGroups, LargePicturesShareTheirWallOut) {
+  SceneMaker maker(9000, 6000, 3200);
+  for (int i = 1; i <= 4; ++i)
+    maker.add("painting").sized(1400, 40, 1000).relate("onWall", {"painting_" + std::to_string(i)}, {i <= 2 ? "wall3" : "wall1"});
+  const Layout layout = solved_as_asked(maker.make(true));
+  EXPECT_GT(between_middles(layout, "painting_1", "painting_2"), 2000);
+  EXPECT_GT(between_middles(layout, "painting_3", "painting_4"), 2000);
+}
+
 }  // namespace
 }  // namespace layoutbox::placement

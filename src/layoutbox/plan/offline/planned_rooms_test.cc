@@ -168,6 +168,9 @@ TEST_F(PlannedRooms, WallsOfOpeningsByNames) {
   EXPECT_EQ(openings("A shop with a shop window on the left wall. A table in front of the shop window."), "window left, door ");
   EXPECT_EQ(openings("A studio. Two easels near the north windows. Three tall windows on the north side."),
             "window back, window back, window back, door ");
+  EXPECT_EQ(openings("An open office with four desks and a sofa under the windows."), "window back, window back, door ");
+  EXPECT_EQ(openings("A gym with two treadmills facing the windows, a mirror on the back wall."), "window left, window left, door ");
+  EXPECT_EQ(openings("A workshop with a bench under the two windows, a saw."), "window back, window back, door ");
   EXPECT_EQ(openings("Coffee shop, entrance in the middle of the front with a big window either side. A counter."),
             "door front, window front, window front");
   EXPECT_EQ(openings("Meeting room 6 x 4 m. A screen on the left wall, glass door at the other end, a table."), "door right, window ");

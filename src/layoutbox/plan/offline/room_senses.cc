@@ -225,6 +225,11 @@ void mean_part(const Lexicon& lexicon, const RoomKind& room, const std::string& 
   part.as_object = std::move(object);
 }
 
+// On its top, or beside its bowl.
+bool carries_things(const CatalogEntry& entry) {
+  return entry.top_carries || std::ranges::any_of(entry.spaces, [](const SpaceFormula& space) { return space.carries; });
+}
+
 // "a small table" of a clinic is none to lie on.
 bool is_said_small(const NounPhrase& noun) {
   return std::ranges::any_of(noun.attributes, [](const std::string& a) { return one_of(a, {"small", "little", "tiny", "low", "round"}); });
@@ -273,7 +278,7 @@ void settle_room_senses(const Lexicon& lexicon, Document& document) {
     const bool has = k + 2 < document.chunks.size() && document.chunks[k + 1].kind == ChunkKind::kHave;
     const CatalogEntry* first = has ? document.chunks[k + 2].noun.entry : nullptr;
     const bool has_things = has && (first == nullptr || first->mount != Mount::kWall);  // "a vanity with a mirror"
-    if (has_things && noun.entry != nullptr && noun.entry->top_carries && !entry->top_carries) continue;
+    if (has_things && noun.entry != nullptr && noun.entry->top_carries && !carries_things(*entry)) continue;
     if (entry->is(Trait::kLieOn) && is_said_small(noun)) continue;
     noun.kind = NounKind::kObject;
     noun.entry = entry;

@@ -32,6 +32,11 @@ int suits_above(const Catalog& catalog, const NounPhrase& target, const NounPhra
   if (opening && mount == Mount::kHung && !(target.entry != nullptr && target.entry->is(Trait::kCurtain))) return 0;
   // "a dispenser on the counter, lanterns from the ceiling above it": above the counter
   if (mount == Mount::kCeiling && reference.kind == NounKind::kObject && mount_of(reference) == Mount::kSurface) return 0;
+  // "a shower, a toilet, a vanity, a mirror over it": over none of which the wall ends
+  constexpr Mm kUpToCeiling = 1900;
+  const bool high = reference.kind == NounKind::kObject && mount_of(reference) == Mount::kFloor && reference.entry != nullptr &&
+                    reference.entry->size.usual.height >= kUpToCeiling;
+  if (mount == Mount::kWall && high) return 0;
   if (mount == Mount::kWall || mount == Mount::kCeiling || is_lamp(catalog, target)) return 2;
   if (one_of(target.head, WordSet::kMayHang)) return 1;  // may hang
   return mount == Mount::kSurface ? 0 : 1;

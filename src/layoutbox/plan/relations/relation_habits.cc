@@ -21,7 +21,7 @@ bool at_wall(R type) { return says_too(type, R::kAgainstWall) || type == R::kSid
 }  // namespace
 
 void RelationBuilder::face_as_group() {
-  for (const Relation& grid : scene_.relations) {
+  for (Relation& grid : scene_.relations) {
     const std::size_t n = grid.targets.size();
     const SceneObject* first = n == 0 ? nullptr : object_of(grid.targets.front());
     const CatalogEntry* kind = first == nullptr ? nullptr : noun_of_object(*first).entry;
@@ -39,6 +39,11 @@ void RelationBuilder::face_as_group() {
     for (Relation& facing : scene_.relations) {
       if (facing.type != R::kFacing || facing.targets.size() != 1) continue;
       if (std::find(grid.targets.begin(), grid.targets.end(), facing.references.front()) != grid.targets.end()) continue;  // each other
+      const auto same = [&](const Relation& r) { return r.type == R::kFacing && r.references == facing.references; };
+      if (row && std::ranges::count_if(scene_.relations, same) == 1) {  // "each facing a mirror" of its own: the mirrors hang in a row
+        grid.hard = false;
+        continue;
+      }
       const auto at = std::find(grid.targets.begin(), grid.targets.end(), facing.targets[0]) - grid.targets.begin();
       const std::size_t column = static_cast<std::size_t>(at) % columns;
       if (static_cast<std::size_t>(at) == n || grid.targets[static_cast<std::size_t>(at)] == middle) continue;

@@ -68,13 +68,15 @@ class TableSeats {
     if (is_told_elsewhere(seat) || links_.is_placed_by(seat, at_a_table)) return;
     const bool bench = noun.head == "bench" && !noun.is_plural();
     (bench ? loose_bench_ : loose_seat_) = true;
-    if (!bench && noun.count == 0 && noun.plural && is_upright(noun)) uncounted_seats_.push_back(seat);
+    if (noun.plural && noun.count == 0) uncounted_ = seat;
   }
 
   // "a table for six, with chairs": as many; "with a bench": that is all; "with a bench and chairs": half of them on the bench.
+  // "a long table for eight, chairs": as many of those that stand by themselves as all such tables are for.
   bool seats_named(const Mention& table, int seats) {
     constexpr int kOfBench = 3;  // sit on one
     const int all = seats * static_cast<int>(table.items.size());
+    if (uncounted_ >= 0) builder_.grow(uncounted_, std::min(uncounted_seats_ += all, kMostPeople));
     bool named = loose_seat_ || (loose_bench_ && all <= kOfBench);
     const std::vector<int> placed = links_.placed_by(table, kAnyLink);
     const bool bench =
@@ -85,9 +87,6 @@ class TableSeats {
       named = true;
       if (noun.count == 0 && noun.plural && is_upright(noun)) builder_.grow(seat, bench && noun.head != "bench" ? all - all / 2 : all);
     }
-    // "a table for eight, upholstered chairs": all of them, where no second kind may be meant.
-    if (uncounted_seats_.size() == 1) builder_.grow(uncounted_seats_.front(), bench ? all - all / 2 : all);
-    uncounted_seats_.clear();
     return named;
   }
 
@@ -205,9 +204,9 @@ class TableSeats {
   // "three cameras on tripods": one for each, where one of them takes no more.
   void share_stands(const Link& link) {
     const auto on = [](const PhraseSense& sense) { return sense.type == RelationType::kOn; };
-    if (link.kind != Link::Kind::kRelation || link.targets.size() != 1 || link.references.size() != 1 ||
-        std::ranges::none_of(link.senses, on))
-      return;
+    const bool single = link.kind == Link::Kind::kRelation && link.targets.size() == 1 && link.references.size() == 1;
+    if (single) share_pictures(link);
+    if (!single || std::ranges::none_of(link.senses, on)) return;
     const int things = static_cast<int>(mention(link.targets[0]).items.size());
     const Mention& stand = mention(link.references[0]);
     const NounPhrase& noun = stand.noun;
@@ -220,6 +219,17 @@ class TableSeats {
     if (small && things > static_cast<int>(stand.items.size())) builder_.grow(link.references[0], things);
   }
 
+  // "a row of tables under framed pictures": one over each.
+  void share_pictures(const Link& link) {
+    const auto under = [](const PhraseSense& sense) { return sense.type == RelationType::kUnder; };
+    const Mention& over = mention(link.references[0]);
+    const Mention& below = mention(link.targets[0]);
+    if (std::ranges::none_of(link.senses, under) || !names_things(over) || !names_things(below) || over.noun.entry == nullptr) return;
+    const bool uncounted = over.noun.plural && over.noun.count == 0 && over.noun.determiner == Determiner::kNone;
+    if (uncounted && over.noun.entry->mount == Mount::kWall && below.items.size() > over.items.size())
+      builder_.grow(link.references[0], static_cast<int>(below.items.size()));
+  }
+
   const Catalog& catalog_;
   Document& document_;
   SeatBuilder builder_;
@@ -227,7 +237,8 @@ class TableSeats {
   std::string room_;
   bool counter_named_ = false;
   bool loose_seat_ = false, loose_bench_ = false;
-  std::vector<int> uncounted_seats_;                        // … of which nobody says how many
+  int uncounted_ = -1;                                      // the last of the loose seats of which nobody says how many
+  int uncounted_seats_ = 0;                                 // and how many those tables have
   std::map<const CatalogEntry*, const Seating*> seatings_;  // by table, as they were asked for
   std::map<const CatalogEntry*, int> desk_of_;              // by seat, the last of the desks that such seats stand at
 };

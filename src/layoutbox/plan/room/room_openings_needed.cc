@@ -77,6 +77,30 @@ std::string wall_of_seat_in_window(const Document& document) {
 
 }  // namespace
 
+namespace {
+
+// "a sofa under the windows": several, side by side in one wall, where the text has put none and that is long enough.
+void add_windows_spoken_of(const Document& document, SceneGraph& scene) {
+  constexpr Mm kWallForTwo = 3000;
+  const auto spoken_of = std::ranges::find_if(document.mentions, [](const Mention& m) {
+    return m.noun.kind == NounKind::kWindow && m.noun.plural && m.noun.determiner == Determiner::kDefinite;
+  });
+  if (spoken_of == document.mentions.end()) return;
+  const auto is_window = [](const Opening& o) { return o.type == OpeningType::kWindow; };
+  const Point extent = extent_of(scene.room);
+  const std::string wall = wall_to_outside(document, scene.room);
+  const Mm length = wall == "back" ? extent.x : extent.y;
+  if (extent.x > 0 && length < kWallForTwo) return;
+  if (std::ranges::none_of(scene.room.openings, is_window)) {
+    for (int i = 0; i < openings_said(spoken_of->noun); ++i) add_opening(scene, OpeningType::kWindow, spoken_of->noun, {});
+  }
+  for (Opening& opening : scene.room.openings) {
+    if (is_window(opening) && opening.wall.empty()) opening.wall = wall;
+  }
+}
+
+}  // namespace
+
 void add_needed_openings(const Document& document, SceneGraph& scene) {
   Room& room = scene.room;
   const bool outdoors = room.type == "balcony";
@@ -87,6 +111,7 @@ void add_needed_openings(const Document& document, SceneGraph& scene) {
     if (look.bay && opening.wall.empty()) opening.wall = wall_of_seat_in_window(document);
     if ((look.outside || look.whole || look.bay) && opening.wall.empty()) opening.wall = wall_to_outside(document, room);
   }
+  if (!windowless) add_windows_spoken_of(document, scene);
   room.openings_given = windowless && doorless;
   if (!room.openings.empty() || windowless || doorless) {
     for (const OpeningType type : {OpeningType::kDoor, OpeningType::kWindow}) {

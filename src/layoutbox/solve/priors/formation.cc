@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "layoutbox/catalog/measures.h"
 #include "layoutbox/solve/compile/phrases.h"
 #include "layoutbox/solve/priors/habits.h"
 #include "layoutbox/solve/priors/seating.h"
@@ -21,6 +22,7 @@ constexpr std::int64_t kUneven = 400;   // thousandths of the room that a last r
 constexpr std::int64_t kUnseen = 1000;  // the same where not all see what they look at
 constexpr int kSeatsToAisle = 8;        // so many seats of a row are parted by an aisle in the middle
 constexpr Mm kAisle = 1000;
+constexpr Mm kMostSpread = 2400;   // from middle to middle of a few that are shared out over a line through the room
 constexpr Mm kBehindSitter = 600;  // from row to row of desks, beside the seats
 
 // Gaps wanted between neighbours, along the rows and from row to row.
@@ -61,6 +63,8 @@ std::vector<PartOfRoom> parts_of_room(const PlacementModel& model, const std::ve
 
 Formation formation_of(int n, const Size& size, Mm gap_across, Mm gap_deep, Mm room_across, Mm room_deep, const FormationWays& ways) {
   const auto [columns, sides, ends, parted_from, in_view] = ways;
+  // Each of two who share a desk gets out at its own side.
+  const Mm beside = size.width >= measures().desk_for_two ? gap_across : kBetweenDesks;
   const auto fitted = [](int count, Mm one, Mm gap, Mm room, Mm around) -> Mm {  // from middle to middle; 0: does not fit
     if (count == 1) return one + gap;
     const Mm most = (room - 2 * around - one) / (count - 1);
@@ -74,13 +78,13 @@ Formation formation_of(int n, const Size& size, Mm gap_across, Mm gap_deep, Mm r
     if (parted_from > 0 && c >= parted_from && !parted && columns == 0) continue;
     const Mm aisle = parted ? kAisle : 0;
     const Mm apart = fitted(c, size.width, gap_across, room_across - aisle, sides);
-    const Mm seen = in_view > 0 && c > 1 ? std::max(in_view / (c - 1), size.width + kBetweenDesks) : apart;
+    const Mm seen = in_view > 0 && c > 1 ? std::max(in_view / (c - 1), size.width + beside) : apart;
     const Mm across = std::min(apart, seen), deep = fitted(rows, size.depth, gap_deep, room_deep, ends);
     if (across == 0 || deep == 0) continue;
     // Shares of the room that it takes along both should be alike; full rows are better.
     const std::int64_t w = std::int64_t{1000} * (across * (c - 1) + size.width + aisle) / room_across,
                        d = std::int64_t{1000} * (deep * (rows - 1) + size.depth) / room_deep;
-    const bool unseen = in_view > 0 && across * (c - 1) > in_view;
+    const bool unseen = in_view > 0 && std::min(across, size.width + kBetweenDesks) * (c - 1) > in_view;
     const std::int64_t price = std::abs(w - d) + (n % c ? kUneven : 0) + (unseen ? kUnseen : 0);
     if (best.columns == 0 || price < best_price) best = {c, across, deep, aisle}, best_price = price;
   }
@@ -174,7 +178,8 @@ class FormationPlace {
       return {pillars, across / pillars, deep / rows};
     }
     const auto gaps = gaps_of(first_);
-    const Mm gap_across = gaps.first, gap_deep = of_.seats > 0 ? kBehindSitter : gaps.second;
+    const Mm spread = of_.spread ? std::min(kMostSpread, across / n) - own.width : 0;
+    const Mm gap_across = std::max(gaps.first, spread), gap_deep = of_.seats > 0 ? kBehindSitter : gaps.second;
     // What is before the first row is left free already.
     FormationWays ways{asked, first_.thin ? kBehindSeats : kWayAround, looks(ahead) ? ends() / 2 : ends(),
                        seats() && own.width < kForSeveral && asked == 0 ? kSeatsToAisle : 0, of_.in_view};
@@ -182,8 +187,11 @@ class FormationPlace {
     const bool one_row = few_desks(ahead) || (seats() && n <= kOneRow && looks(ahead) && of_.columns == 0);
     for (const int in_row : {one_row ? n : asked, asked}) {
       ways.columns = in_row;
-      for (int tenths = 10; tenths > 0 && form.columns == 0; tenths -= 3)  // closer in a small room
-        form = formation_of(n, size, gap_across * tenths / 10, gap_deep * tenths / 10, across, deep, ways);
+      // Closer in a small room; columns that are asked for stay apart where it is only too short.
+      for (int wide = 10; wide > 0 && form.columns == 0; wide -= 3) {
+        for (int tenths = in_row > 0 ? 10 : wide; tenths > 0 && form.columns == 0; tenths = in_row > 0 ? tenths - 3 : 0)
+          form = formation_of(n, size, gap_across * wide / 10, gap_deep * tenths / 10, across, deep, ways);
+      }
     }
     return form;
   }

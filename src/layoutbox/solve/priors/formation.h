@@ -50,6 +50,7 @@ struct FormationOf {
   const std::vector<ItemId>& group;
   int k = 0;
   int columns = 0;              // 0: as suits the room
+  bool spread = false;          // over all of the room's length, in one line
   int weight = 0, in_line = 0;  // of the place in the room, and of that beside its neighbour
   Mm before = 0;                // floor left free before the first row, for what all look at
   Mm seats = 0;                 // behind each, for the seat of who looks over it

@@ -132,6 +132,8 @@ class Habits {
   bool hang_in_row(ItemId item);
   bool begin_row(ItemId item, Mm pitch, int count);
   bool hang_in_row_over(ItemId item);
+  bool hang_over_both(ItemId item);
+  Mm air_on_wall(ItemId item, int count) const;
   bool is_of_few_on_wall(ItemId item) const;
   void share_wall_out(ItemId item);
   void leave_seat_behind(ItemId item);
@@ -238,9 +240,11 @@ class Habits {
   struct Group {
     std::vector<ItemId> members;
     int columns = 0;
+    bool spread = false;
   };
   std::optional<Group> formation_with(ItemId item) const;
   std::optional<Group> grid_with(ItemId item) const;
+  bool told_in_line(const Group& group) const;
   std::size_t least_in_formation(ItemId item) const;
   PartOfRoom part_of(const Group& group);
   bool placed_besides_facing(ItemId item) const;

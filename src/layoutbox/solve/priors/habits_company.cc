@@ -1,6 +1,7 @@
 // Habits towards other things: beside, round, before and facing what they belong to.
 #include <bit>
 
+#include "layoutbox/catalog/measures.h"
 #include "layoutbox/solve/model/slanted.h"
 #include "layoutbox/solve/priors/formation.h"
 #include "layoutbox/solve/priors/habits.h"
@@ -161,6 +162,37 @@ bool Habits::look_at(ItemId item, bool leads, const std::vector<ItemId>& crowd) 
     return true;
   }
   return false;
+}
+
+// Guests wait before who serves: not behind a reception desk or a counter, and off its front and its ends.
+void Habits::wait_before_counter(ItemId item) {
+  constexpr int kGuests = 700;  // points a metre
+  constexpr Mm kOffEnds = 600;
+  const Item& self = model_.items[item];
+  const bool sofa = self.is(Trait::kCenterPiece) && !self.is(Trait::kBed) && self.has_front;
+  if (!self.is(Trait::kTableSeat) && !self.is(Trait::kSeat) && !self.is(Trait::kEasySeat) && !sofa) return;
+  for (const ItemId host : model_.items.ids()) {
+    const Item& desk = model_.items[host];
+    if (host == item || !is_served_over(host) || related(item, host)) continue;
+    if (desk.is(Trait::kDeskLike) && !waits_for(item, host)) continue;
+    Formula f;
+    for_each_turn(desk, [&](int turn, std::uint64_t states) {
+      if (turn % 90 != 0) return;
+      const Direction front = side_direction(desk, Side::kFront, turn);
+      if (desk.is(Trait::kCounter)) {
+        f.add().when(host, states).require(gap_towards(item, host, front) + Linear(desk.states[0].size.depth));
+        return;
+      }
+      f.add().when(host, states).require(gap_towards(item, host, front) - Linear(measures().knees_free));
+      for (const int sign : {1, -1}) {
+        f.add()
+            .when(host, states)
+            .require(gap_towards(item, host, front) + Linear(desk.states[0].size.depth))
+            .require(gap_towards(item, host, {across(front), sign}) - Linear(kOffEnds));
+      }
+    });
+    habit("waits before the desk", item, kGuests, std::move(f));
+  }
 }
 
 }  // namespace layoutbox::placement

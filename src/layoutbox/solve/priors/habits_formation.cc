@@ -59,7 +59,7 @@ std::optional<Habits::Group> Habits::formation_with(ItemId item) const {
   if (self.mount != Mount::kFloor || at_wall || area_of(self) > kManySize) return std::nullopt;
   // Small things that nobody walks up to (plants, barrels) stand at the walls and in the corners, however many.
   if (used_sides(self).empty() && !self.is(Trait::kBearsCeiling) && !self.thin && !self.is(Trait::kSeat) &&
-      area_of(self) < kTableToSitRound)
+      area_of(self) < kTableToSitRound && !told_middle_with_others(item))
     return std::nullopt;
   const bool has_host = std::ranges::any_of(items_of_kinds(self.entry->beside, item),
                                             [&](ItemId h) { return !model_.items[h].thin && area_of(model_.items[h]) > area_of(self); });
@@ -74,7 +74,20 @@ std::optional<Habits::Group> Habits::formation_with(ItemId item) const {
   if (self.entry->back_to_wall && !told_where_to_look(item) && group.members.size() < kManyInFormation) return std::nullopt;
   if (group.members.size() < least_in_formation(item) || std::find(group.members.begin(), group.members.end(), item) == group.members.end())
     return std::nullopt;
+  // "Three plinths down the middle": the long way, where there is no bar.
+  if (told_in_line(group) && told_middle_with_others(item) && !self.has_front) {
+    group.columns = model_.room.extent(0) >= model_.room.extent(1) ? static_cast<int>(group.members.size()) : 1;
+    group.spread = true;
+  }
   return group;
+}
+
+bool Habits::told_in_line(const Group& group) const {
+  return std::ranges::any_of(model_.scene->relations, [&](const Relation& r) {
+    return r.type == RelationType::kRow && r.targets.size() == group.members.size() &&
+           std::ranges::all_of(group.members,
+                               [&](ItemId member) { return std::ranges::find(r.targets, model_.items[member].id) != r.targets.end(); });
+  });
 }
 
 // The part of the room that it shares with other formations, of things of which the floor is full: study tables beside rows of shelves.
@@ -123,7 +136,8 @@ bool Habits::told_middle_with_others(ItemId item) const {
   bool middle = false;
   for (const Relation& r : model_.scene->relations) {
     if (std::find(r.targets.begin(), r.targets.end(), model_.items[item].id) == r.targets.end()) continue;
-    if (traits_of(r.type).turns) continue;
+    // In line down the middle; a bar takes up some of it.
+    if (traits_of(r.type).turns || (r.type == RelationType::kRow && !counter_of_room().exists())) continue;
     if (r.type != RelationType::kCenterOfRoom || r.targets.size() < kSeveral) return false;
     middle = true;
   }
@@ -242,6 +256,7 @@ bool Habits::stand_in_formation(ItemId item) {
                       {.group = group->members,
                        .k = k,
                        .columns = group->columns,
+                       .spread = group->spread,
                        .weight = crossed ? 2 * kFormation : kFormation,
                        .in_line = crossed ? 0 : kInLine,
                        .before = !waited_at.exists() && (looks || counter != bar) ? depth_before(first) : 0,

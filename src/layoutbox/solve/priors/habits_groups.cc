@@ -249,26 +249,6 @@ bool Habits::waits_for(ItemId item, ItemId desk) const {
   return first == nullptr || !first->is(Trait::kDeskLike) || !model_.is_a(desk, by[0]);
 }
 
-// Guests wait before who serves: not behind a reception desk or a counter.
-void Habits::wait_before_counter(ItemId item) {
-  constexpr int kGuests = 700;  // points a metre
-  const Item& self = model_.items[item];
-  const bool sofa = self.is(Trait::kCenterPiece) && !self.is(Trait::kBed) && self.has_front;
-  if (!self.is(Trait::kTableSeat) && !self.is(Trait::kSeat) && !self.is(Trait::kEasySeat) && !sofa) return;
-  for (const ItemId host : model_.items.ids()) {
-    const Item& desk = model_.items[host];
-    if (host == item || !is_served_over(host) || related(item, host)) continue;
-    if (desk.is(Trait::kDeskLike) && !waits_for(item, host)) continue;
-    Formula f;
-    for_each_turn(desk, [&](int turn, std::uint64_t states) {
-      if (turn % 90 != 0) return;
-      const Direction front = side_direction(desk, Side::kFront, turn);
-      f.add().when(host, states).require(gap_towards(item, host, front) + Linear(desk.states[0].size.depth));
-    });
-    habit("waits before the desk", item, kGuests, std::move(f));
-  }
-}
-
 // Bottles are at the back of who serves: along the counter, an arm and a step behind it.
 bool Habits::stand_behind_server(ItemId item) {
   constexpr int kBehindServer = 500, kBeforeMiddle = 200;  // points a metre

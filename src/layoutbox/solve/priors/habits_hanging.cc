@@ -22,6 +22,12 @@ bool Habits::hang_in_row(ItemId item) {
     }
     return said;
   };
+  const auto wall_of = [&](ItemId i) -> std::vector<std::string> {
+    for (const Relation& r : model_.scene->relations) {
+      if (r.type == RelationType::kOnWall && std::ranges::find(r.targets, model_.items[i].id) != r.targets.end()) return r.references;
+    }
+    return {};
+  };
   const auto mine = said_of(item);
   if (hang_in_row_over(item)) return true;
   const bool faced = seat_facing(item).exists();  // each by a seat of its own
@@ -30,13 +36,14 @@ bool Habits::hang_in_row(ItemId item) {
   for (const ItemId i : model_.items.ids()) {
     const Item& other = model_.items[i];
     if (!other.is_opening() && other.entry == model_.items[item].entry && other.mount == Mount::kWall && said_of(i) == mine &&
-        seat_facing(i).exists() == faced)
+        wall_of(i) == wall_of(item) && seat_facing(i).exists() == faced)
       row.push_back(i);
   }
   const auto rank = std::ranges::find(row, item) - row.begin();
   const Item& self = model_.items[item];
   // Who sits before each of them needs more width than they.
-  const Mm air = std::clamp(self.states[0].size.width / 2, kLeastAir, kMostAir);
+  const Mm close = std::clamp(self.states[0].size.width / 2, kLeastAir, kMostAir);
+  const Mm air = mine.empty() && !faced ? std::max(close, air_on_wall(item, static_cast<int>(row.size()))) : close;
   const auto width_of = [&](ItemId i) {
     const ItemId seat = seat_facing(i);
     return std::max(model_.items[i].states[0].size.width + air,
@@ -100,7 +107,8 @@ bool Habits::is_of_few_on_wall(ItemId item) const {
   for (const ItemId i : model_.items.ids()) {
     if (model_.items[i].entry != model_.items[item].entry) continue;
     const Relation* other = wall_of(i);
-    if (other == nullptr || other->references != mine->references) return false;
+    if (other == nullptr) return false;
+    if (other->references != mine->references) continue;  // on another wall
     ++alike;
   }
   return alike >= 2 && alike <= kFew;
@@ -177,12 +185,13 @@ void Habits::leave_free_before(ItemId item) {
   }
 }
 
-// What is looked at does not hang where an open door's leaf covers it: so far from the door, or so far into the room.
+// What is looked at (no hooks) does not hang where an open door's leaf covers it: so far from the door, or so far into the room.
 void Habits::hang_clear_of_doors(ItemId item) {
   constexpr Mm kBesideFrame = 80;
-  constexpr int kBehindLeaf = 400;  // points a metre
   const Item& self = model_.items[item];
-  if (!self.is(Trait::kScreen) && !self.is(Trait::kMirror)) return;
+  const bool looked_into = self.is(Trait::kScreen) || self.is(Trait::kMirror);
+  if (!looked_into && (!used_sides(self).empty() || self.entry->mount != Mount::kWall)) return;
+  const int behind_leaf = looked_into ? 400 : 150;  // points a metre
   for (const ItemId door : model_.items.ids()) {
     const Item& ref = model_.items[door];
     if (!ref.is_opening() || ref.opening->type != OpeningType::kDoor || related(item, door)) continue;
@@ -194,7 +203,7 @@ void Habits::hang_clear_of_doors(ItemId item) {
       for (const int sign : {1, -1})
         f.add().when(door, states).require(gap_towards(item, door, {across(into), sign}) - Linear(kBesideFrame));
     });
-    if (!f.cases.empty()) habit("not behind the door", item, kBehindLeaf, std::move(f));
+    if (!f.cases.empty()) habit("not behind the door", item, behind_leaf, std::move(f));
   }
 }
 
@@ -248,7 +257,7 @@ void Habits::hang_on_wall(ItemId item) {
   hang_clear_of_doors(item);
   if (hang_along_side(item) || stand_beside(item)) return;
   look_at(item, self.is(Trait::kScreen));
-  if (hang_in_row(item)) return;
+  if (hang_over_both(item) || hang_in_row(item)) return;
   if (placed_by_relation_besides_walls(item)) return;
   const std::vector<ItemId> under = usually_under(item);
   Formula f;

@@ -47,6 +47,48 @@ bool Habits::hang_in_row_over(ItemId item) {
   return true;
 }
 
+// Large things that have a wall to themselves share all of it out: each is looked at alone. 0: they are no such things.
+Mm Habits::air_on_wall(ItemId item, int count) const {
+  constexpr Mm kLarge = 900, kMostApart = 1200;
+  const Mm width = model_.items[item].states[0].size.width;
+  const std::vector<const Relation*>& said = said_of(item);
+  const auto told = std::ranges::find_if(said, [](const Relation* r) { return r->type == RelationType::kOnWall; });
+  if (width < kLarge || told == said.end() || (*told)->references.size() != 1) return 0;
+  const auto wall = std::ranges::find(model_.walls, (*told)->references[0], &RoomWall::id);
+  return wall == model_.walls.end() || !wall->straight ? 0 : std::min(kMostApart, (wall->hi - wall->lo - count * width) / (count + 1));
+}
+
+// "Washer and dryer side by side with a shelf above": over the middle of both, where it is as wide as one. False: it hangs over no such
+// two.
+bool Habits::hang_over_both(ItemId item) {
+  const auto host_of = [&](ItemId i) {
+    for (const Relation* r : said_of(i)) {
+      if (r->type == RelationType::kAbove && r->references.size() == 1 && r->targets[0] == model_.items[i].id)
+        return model_.find_item(r->references[0]);
+    }
+    return ItemId();
+  };
+  const ItemId host = host_of(item);
+  // What stands at a wall stands close to its mate there; over two benches that stand apart it would be over neither.
+  if (!host.exists() || model_.items[host].is_opening() || !model_.items[host].entry->back_to_wall ||
+      model_.items[item].states[0].size.width < model_.items[host].states[0].size.width)
+    return false;
+  for (const ItemId mate : model_.items.ids()) {
+    const bool abreast = related_as_target(host, mate, RelationType::kEdgeAlign) || related_as_target(mate, host, RelationType::kEdgeAlign);
+    if (!abreast || model_.items[mate].is_opening()) continue;
+    Formula f;
+    for (const RoomWall& wall : model_.walls) {
+      if (!wall.straight) continue;
+      Case& c = f.add().when(item, states_facing(item, wall));
+      c.wish(2 * mid2(item, wall.along) - mid2(host, wall.along) - mid2(mate, wall.along), kHangs, 4);
+    }
+    if (f.cases.empty()) return false;
+    habit("over both", item, kHangs, std::move(f), {host});
+    return true;
+  }
+  return false;
+}
+
 // Many small things that are told their wall and no more (buckets, plants) stand along all of it.
 void Habits::share_wall_out(ItemId item) {
   constexpr std::size_t kMany = 4;

@@ -13,6 +13,8 @@ namespace {
 
 constexpr std::size_t kOfSides = 10, kOfCircle = 40;  // ways to share seats out over the sides; few of them are a circle
 
+constexpr int kEndTaken = 500;  // points
+
 constexpr std::array kSides{Side::kFront, Side::kBack, Side::kLeft, Side::kRight};
 
 // A stove, a statue, a pit: what one sits round at a distance, for it is neither a table nor stands in for one.
@@ -166,6 +168,22 @@ void add_needed(Compilation& c, ItemId r, Mm most) {
   }
 }
 
+// Who is told to sit at an end of the table has it: so many of its ends are taken.
+int ends_taken(const Compilation& c, ItemId r) {
+  const std::string& table = c.item(r).id;
+  int taken = 0;
+  for (const Relation& relation : c.model.scene->relations) {
+    if (relation.type == RelationType::kAlongSide && or_default(relation, &RelationParameters::side) == Side::kShort &&
+        std::ranges::find(relation.references, table) != relation.references.end())
+      taken += static_cast<int>(relation.targets.size());
+  }
+  return taken;
+}
+
+int ends_used(const Seats& seats, const Size& size) {
+  return size.width >= size.depth ? (seats[2] > 0) + (seats[3] > 0) : (seats[0] > 0) + (seats[1] > 0);
+}
+
 }  // namespace
 
 void add_seating(Compilation& c, ItemId r, Mm most, bool circle) {
@@ -180,10 +198,12 @@ void add_seating(Compilation& c, ItemId r, Mm most, bool circle) {
   const bool round = (n >= 5 || n == 3) && (is_circle(table) || (circle && is_compact(table)));
   if (round) add_circle(f, c, r, most);
   const int base = round && !f.cases.empty() ? 200 : 0;
+  const int ends = 2 - ends_taken(c, r);
   for_each_turn(table, [&](int turn, std::uint64_t states) {
     if (turn % 90 != 0) return;
     const Size size = size_by_sides(table, turn);
-    for (const auto& [seats, price] : seatings(n, size.width, size.depth, seat_width, circle, circle ? kOfCircle : kOfSides)) {
+    for (const auto& [seats, even] : seatings(n, size.width, size.depth, seat_width, circle, circle ? kOfCircle : kOfSides)) {
+      const int price = even + (ends_used(seats, size) > ends ? kEndTaken : 0);
       if (!circle) add_case(f, c, r, turn, states, seats, price + base, most);
       for (std::size_t s = 0; circle && s < table.states.size(); ++s) {
         if ((states >> s & 1) != 0) add_even_seats(f, c, r, s, seats, price + base, most);
