@@ -51,6 +51,7 @@ void RelationBuilder::run() {
   settle_seat_heights();
   part_groups();
   part_halves();
+  share_like_sides();
   part_from_neighbours();
   leave_small_vessels();
   stand_carriers_at_walls();

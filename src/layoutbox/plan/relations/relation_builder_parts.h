@@ -178,6 +178,7 @@ class RelationBuilder : private RelationWriter {
   void divide(std::size_t word);
   void part_groups();
   void part_halves();
+  void share_like_sides();
   void divide_groups();
   // A kitchen told by its units (kitchens.cc)
   bool stands_in_run(const std::string& object) const;

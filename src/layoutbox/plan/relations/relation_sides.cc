@@ -1,5 +1,6 @@
 // On each side, on both sides, one on this side and one on that.
 #include <algorithm>
+#include <set>
 
 #include "layoutbox/catalog/groups.h"
 #include "layoutbox/catalog/trait_table.h"
@@ -183,6 +184,27 @@ void RelationBuilder::complete_sides() {
       add(link, R::kAlongSide, {seat}, around.references, along);
       scene_.relations.back().hard = false;
     }
+  }
+}
+
+// "one chair at each end", "two on each long side": as many at the one as at the other.
+void RelationBuilder::share_like_sides() {
+  const std::vector<Relation> said = scene_.relations;
+  std::set<std::string> shared;  // targets
+  for (const Relation& first : said) {
+    const bool sided = first.type == R::kAlongSide && first.targets.size() == 1 && !shared.contains(first.targets[0]) &&
+                       (words_.have(first, "each") || words_.have(first, "both") || words_.have(first, "either"));
+    if (!sided) continue;
+    std::vector<std::string> all;
+    for (const Relation& other : said) {
+      const bool like = other.type == R::kAlongSide && other.targets.size() == 1 && other.references == first.references &&
+                        other.parameters.side == first.parameters.side && words_.are_one(first, other);
+      if (like) all.push_back(other.targets[0]);
+    }
+    shared.insert(all.begin(), all.end());
+    if (all.size() < 2 || all.size() % 2 != 0) continue;
+    add_habit(R::kEachSideOf, all, first.references, kTogether, "as many at the one side as at the other");
+    scene_.relations.back().hard = true;
   }
 }
 
