@@ -1,8 +1,8 @@
 #include "layoutbox/plan/companions.h"
 
 #include <algorithm>
-#include <ranges>
 #include <map>
+#include <ranges>
 #include <set>
 #include <span>
 
