@@ -145,8 +145,9 @@ def measure_visibility(stay, out, meshes, width=480, height=270):
         covered = pixels_alone(view, points, faces)
         visible = sum(1 for pixel in covered if seen[pixel] == number)
         hidden = [point for pixel, point in covered.items() if seen[pixel] in walls]
-        if row["kind"] == "floor":  # what lies under a skirting board is not hidden
-            hidden = [point for point in hidden if well_inside(point[:2], ROOM["polygon"], 0.05)]
+        # What lies under a skirting board is not hidden, nor is the edge at which a thing meets its wall.
+        rim = 0.05 if row["kind"] == "floor" else 0.01
+        hidden = [point for point in hidden if well_inside(point[:2], ROOM["polygon"], rim)]
         report["behindWalls"] += len(hidden)
         if row["kind"] == "floor":
             free = [pixel for pixel, point in covered.items() if not under_furniture(point)]

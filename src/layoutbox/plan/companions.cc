@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <ranges>
 #include <set>
 #include <span>
 
@@ -77,7 +78,7 @@ class Companions {
     for (std::size_t i = 0; i < named_; ++i) carry(i);
     add_needs();
     for (const Companion& companion : groups_.companions) add_by(companion);
-    if (!says_where()) fill_bare_room(scene_, spoken_, named_, catalog_);
+    if (!says_where() || !names_furniture()) fill_bare_room(scene_, spoken_, named_, catalog_);
   }
 
  private:
@@ -240,6 +241,14 @@ class Companions {
     return std::ranges::any_of(scene_.graph().relations, [&](const Relation& r) {
       const RelationTraits& traits = traits_of(r.type);
       return r.origin == Origin::kAsked && !traits.order_only && !traits.turns && std::ranges::any_of(r.targets, is_furniture);
+    });
+  }
+
+  // "toys on the floor in the middle" are none.
+  bool names_furniture() const {
+    return std::ranges::any_of(std::views::iota(std::size_t{0}, named_), [&](std::size_t i) {
+      const CatalogEntry& entry = catalog_.entry_or_nearest(named_thing(i).category);
+      return entry.mount == Mount::kFloor && !entry.is(Trait::kPet);
     });
   }
 

@@ -72,6 +72,8 @@ TEST(Companions, ATableToSitAtGetsItsSeats) {
   EXPECT_EQ(count_of(added_to("A studio with a bed, a wardrobe and a small table for the plants."), "chair"), 0);
 }
 
+TEST(Companions, ToysOnTheFloorFurnishNoRoom) { EXPECT_GE(added_to("A living room with toys on the floor in the middle.").size(), 3u); }
+
 TEST(Companions, ACrowdOfSeatsNeedsNoDesks) {
   EXPECT_EQ(count_of(added_to("A lecture room with twelve chairs in rows facing a screen."), "school_desk"), 0);
   EXPECT_GE(count_of(added_to("A lecture room with a lectern."), "theater_seat"), 1);

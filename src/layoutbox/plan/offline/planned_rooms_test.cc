@@ -110,6 +110,7 @@ TEST_F(PlannedRooms, OpeningsStandWhereCoordinatesSay) {
   };
   EXPECT_EQ(normal("A room 6 x 4.5 m with a bed. Door 0.9 m wide in the left wall at y=3.5.").offset, 550);  // from the back
   EXPECT_EQ(normal("A room 6 x 4.5 m with a bed. Door 0.9 m wide in the front wall, 0.3 m from the left corner.").offset, 300);
+  EXPECT_EQ(normal("A room 7 x 4 m with a sofa. A balcony door 1.6 m in the middle of the right wall.").offset, 1200);
   const Opening window = normal("A room 6 x 4.5 m with a bed. A window 2 m wide in the right wall at y = 2 m, sill at 0.8 m.");
   EXPECT_EQ(window.offset, 1000);
   EXPECT_EQ(window.sill, 800);

@@ -129,8 +129,10 @@ void settle_opening_ends(const Lexicon& lexicon, Document& document) {
       take_chunks(document, first, beside, "which wall");
       continue;
     }
-    const auto middle = middle_said_at(lexicon, document, first);
-    const auto& [word, last] = middle.first.empty() ? end_said_at(document, first) : middle;
+    const auto size = first < document.tokens.size() ? read_measure(lexicon, document.tokens, first) : std::nullopt;
+    const std::size_t at = first + (size ? size->length : 0);  // "a door 1.6 m in the middle of the back wall"
+    const auto middle = middle_said_at(lexicon, document, at);
+    const auto& [word, last] = middle.first.empty() ? end_said_at(document, at) : middle;
     if (word.empty()) continue;
     const std::string across = word == "other" ? wall_across_from_named(document, k) : std::string{};
     chunk.noun.wall_word = across.empty() ? word : across;

@@ -49,10 +49,21 @@ bool SizeOwner::speaks_of_room(std::size_t first, std::size_t last, const std::v
     const bool for_thing = sides.size() >= 2 && sides[0] * sides[1] < smallest;  // "a mat of 2 x 1.5 m"
     const bool in_centimetres = name.at + name.match.length == first && says_centimetres(first);
     if (has_class(name.match, WordClass::kObject) && (for_thing || in_centimetres || !beyond(name.match, sides))) return false;
-    if ((has_class(name.match, WordClass::kWindow) || has_class(name.match, WordClass::kDoor)) && !no_opening)
+    // "a mudroom off the back door, 10 by 8 feet"
+    const bool referred = tokens_[first - 1].text == "," && is_referred_to(name);
+    if ((has_class(name.match, WordClass::kWindow) || has_class(name.match, WordClass::kDoor)) && !no_opening && !referred)
       return false;  // "a wall's windows, each 1.5 m wide"
   }
   return known_.width == 0 && (first < kEarly || too_large_for_last_thing(begin, sides, smallest));
+}
+
+// "off the back door", "next to the window": a place by what is there already.
+bool SizeOwner::is_referred_to(const Named& name) const {
+  constexpr std::size_t kFarthest = 2;  // words from the article to the noun
+  for (std::size_t the = name.at; the-- > 1 && name.at - the <= kFarthest;) {
+    if (tokens_[the].text == "the") return tokens_[the - 1].text == "off" || lexicon_.find_phrase(tokens_, the - 1).length > 0;
+  }
+  return false;
 }
 
 // "a table 80x60": of a thing no feet.

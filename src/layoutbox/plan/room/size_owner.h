@@ -35,6 +35,7 @@ class SizeOwner {
     std::size_t at = 0;
     Match match;
   };
+  bool is_referred_to(const Named& name) const;
   bool says_centimetres(std::size_t at) const;
   bool is_left_free(std::size_t space) const;
   std::vector<Named> named_in(std::size_t begin, std::size_t end) const;
