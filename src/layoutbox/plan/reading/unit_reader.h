@@ -24,6 +24,7 @@ class UnitReader {
   Unit& add(UnitKind kind, std::size_t k);
   void mark(std::size_t k, WordReading::Use use, const std::string& role);
 
+  bool is_size_of_way(std::size_t k) const;
   void read_break(std::size_t k);
   bool after_room(std::size_t k) const;
   void read_place(std::size_t k);

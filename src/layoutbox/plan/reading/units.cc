@@ -77,6 +77,11 @@ Unit& UnitReader::add(UnitKind kind, std::size_t k) {
   return units_.back();
 }
 
+// "keep a free path 0.8 m wide": no thing's.
+bool UnitReader::is_size_of_way(std::size_t k) const {
+  return k > 0 && is(k - 1, ChunkKind::kNoun) && chunk(k - 1).noun.kind == NounKind::kAbstract;
+}
+
 void UnitReader::read(std::size_t k) {
   switch (chunk(k).kind) {
     case ChunkKind::kStop: end_sentence(); break;
@@ -135,7 +140,7 @@ void UnitReader::read(std::size_t k) {
       break;
     case ChunkKind::kSize:
       mark(k, Use::kUsed, "size");
-      if (!skipping_) add(UnitKind::kSize, k);
+      if (!skipping_ && !is_size_of_way(k)) add(UnitKind::kSize, k);
       break;
     case ChunkKind::kNoun: read_noun(k); break;
     case ChunkKind::kRelation: read_place(k); break;
