@@ -142,6 +142,7 @@ class Decoder {
   void apply_fill(State& state, int u) const;
   void apply_root(State& state, const Action& action, int u) const;
   void apply_member(State& state, Referent meant, int u) const;
+  void front_place(State& state, const Action& action, int u) const;
   void apply_predicate(State& state, const Action& action, int u) const;
   void apply_finite(State& state, const Action& action, int u) const;
   void take_subject(State& state, const Action& action, int u) const;

@@ -163,29 +163,31 @@ void Decoder::apply_member(State& state, Referent meant, int u) const {
   state.it = meant;
 }
 
+// A place that stands before what it is of.
+void Decoder::front_place(State& state, const Action& action, int u) const {
+  const int outer = action.meant >= 0 && !state.frontier.empty() ? state.frontier.front() : -1;
+  if (action.meant >= 0 && state.frontier.empty()) {
+    std::vector<int> waiting = std::move(state.fronted);
+    begin_clause(state);
+    state.outer_fronted = std::move(waiting);
+  }
+  if (action.meant >= 0 || unit(u).joiner != Joiner::kNone) {
+    if (!state.frontier.empty()) begin_clause(state);
+    state.outer = outer;
+  }
+  read_as(state, u).fronted = true;
+  read_as(state, u).inverse = unit(u).direct.empty();
+  state.fronted.push_back(u);
+  state.waiting = u;
+}
+
 void Decoder::apply_predicate(State& state, const Action& action, int u) const {
   UnitReading& own = read_as(state, u);
   own.after_verb = state.participle || state.verb;
   own.implied = action.meant;
   own.implied_list = action.list;
   switch (action.kind) {
-    case kFront: {
-      const int outer = action.meant >= 0 && !state.frontier.empty() ? state.frontier.front() : -1;
-      if (action.meant >= 0 && state.frontier.empty()) {
-        std::vector<int> waiting = std::move(state.fronted);
-        begin_clause(state);
-        state.outer_fronted = std::move(waiting);
-      }
-      if (action.meant >= 0 || unit(u).joiner != Joiner::kNone) {
-        if (!state.frontier.empty()) begin_clause(state);
-        state.outer = outer;
-      }
-      own.fronted = true;
-      own.inverse = unit(u).direct.empty();
-      state.fronted.push_back(u);
-      state.waiting = u;
-      break;
-    }
+    case kFront: front_place(state, action, u); break;
     case kFrontAlone:
       if (!state.frontier.empty()) begin_clause(state);
       own.fronted = own.alone = true;

@@ -56,6 +56,7 @@ class Scribe {
   bool is_across_from(const NounPhrase& noun, int antecedent) const;
   int antecedent_of(int u);
   int shared_as(int u, const NounPhrase& noun);
+  std::vector<int> last_introduced(std::size_t count) const;
   int list_ranked(const NounPhrase& noun, int antecedent);
   int combined(const std::vector<int>& mentions);
   int pair_just_related();

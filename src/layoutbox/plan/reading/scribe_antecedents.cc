@@ -73,15 +73,7 @@ int Scribe::antecedent_of(int u) {
                       (noun.kind == NounKind::kMember && noun.determiner == Determiner::kDefinite && noun.count == 2);
   // "the crib is between the wardrobe and the dresser; all three …"
   if (both && noun.count > 0) {
-    std::vector<int> last;
-    std::size_t items = 0;
-    for (std::size_t m = document_.mentions.size(), looked = 0; m-- > 0 && looked < 8 && items < static_cast<std::size_t>(noun.count);
-         ++looked) {
-      if (document_.mentions[m].items.empty() || !document_.mentions[m].introduces) continue;
-      last.insert(last.begin(), static_cast<int>(m));
-      items += document_.mentions[m].items.size();
-    }
-    if (items == static_cast<std::size_t>(noun.count)) return combined(last);
+    if (const std::vector<int> last = last_introduced(static_cast<std::size_t>(noun.count)); !last.empty()) return combined(last);
   }
   if (own.whole_list && own.meant >= 0) {
     std::vector<int> all;
@@ -103,6 +95,19 @@ int Scribe::antecedent_of(int u) {
     if (so_far_.roots.size() > 1) return combined({so_far_.roots[so_far_.roots.size() - 2], so_far_.roots.back()});
   }
   return antecedent;
+}
+
+// The last mentions that brought in so many things together; empty where no such row of them does.
+std::vector<int> Scribe::last_introduced(std::size_t count) const {
+  constexpr std::size_t kLooked = 8;
+  std::vector<int> last;
+  std::size_t items = 0;
+  for (std::size_t m = document_.mentions.size(), looked = 0; m-- > 0 && looked < kLooked && items < count; ++looked) {
+    if (document_.mentions[m].items.empty() || !document_.mentions[m].introduces) continue;
+    last.insert(last.begin(), static_cast<int>(m));
+    items += document_.mentions[m].items.size();
+  }
+  return items == count ? last : std::vector<int>{};
 }
 
 // "a crib, a table and a chair. The first two …, the third …": of what the sentence before listed, where nothing named is as many.

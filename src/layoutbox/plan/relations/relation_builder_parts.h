@@ -221,6 +221,7 @@ class RelationBuilder : private RelationWriter {
   void hang_within();
   bool is_eaten_at(const NounPhrase& noun) const;
   void seat_those_who_wait();
+  bool alone_faces(const Relation& facing) const;
   void face_as_group();
   void face_as_crowd();
   bool sits_at(const std::string& seat) const;

@@ -16,9 +16,20 @@ using R = RelationType;
 
 namespace {
 
+std::size_t columns_of(const Relation& grid) {
+  const int even = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(grid.targets.size()))));
+  return static_cast<std::size_t>(grid.parameters.columns.value_or(even));
+}
+
 bool at_wall(R type) { return says_too(type, R::kAgainstWall) || type == R::kSideAgainstWall; }
 
 }  // namespace
+
+// Nobody else is told to face the same.
+bool RelationBuilder::alone_faces(const Relation& facing) const {
+  const auto same = [&](const Relation& r) { return r.type == R::kFacing && r.references == facing.references; };
+  return std::ranges::count_if(scene_.relations, same) == 1;
+}
 
 void RelationBuilder::face_as_group() {
   for (Relation& grid : scene_.relations) {
@@ -29,18 +40,15 @@ void RelationBuilder::face_as_group() {
     constexpr Mm kForOne = 1000, kForSeveral = 1500;  // three chairs have it ahead, of three desks only the middle one
     const bool row = grid.type == R::kRow && (n > 3 || (n == 3 && as_wide(kForOne)));
     if (!row && (grid.type != R::kGrid || n < 2)) continue;
-    const std::size_t columns =
-        row ? n
-            : static_cast<std::size_t>(grid.parameters.columns.value_or(static_cast<int>(std::ceil(std::sqrt(static_cast<double>(n))))));
+    const std::size_t columns = row ? n : columns_of(grid);
     // Pews in an even number of columns stand beside the axis: from the last row it is straight ahead, from the first it is not.
     const bool wide = as_wide(kForSeveral) && columns % 2 == 0 && n > columns;
     const std::size_t leader = (wide ? (n - 1) / columns * columns : 0) + (columns - 1) / 2;
     const std::string& middle = grid.targets[std::min(leader, n - 1)];
     for (Relation& facing : scene_.relations) {
-      if (facing.type != R::kFacing || facing.targets.size() != 1) continue;
-      if (std::find(grid.targets.begin(), grid.targets.end(), facing.references.front()) != grid.targets.end()) continue;  // each other
-      const auto same = [&](const Relation& r) { return r.type == R::kFacing && r.references == facing.references; };
-      if (row && std::ranges::count_if(scene_.relations, same) == 1) {  // "each facing a mirror" of its own: the mirrors hang in a row
+      const bool told = facing.type == R::kFacing && facing.targets.size() == 1;
+      if (!told || std::ranges::find(grid.targets, facing.references.front()) != grid.targets.end()) continue;  // not: each other
+      if (row && alone_faces(facing)) {  // "each facing a mirror" of its own: the mirrors hang in a row
         grid.hard = false;
         continue;
       }
