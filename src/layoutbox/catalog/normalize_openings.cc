@@ -67,7 +67,7 @@ class OpeningNormalizer {
 
   // Where the text has its middle; in the middle of its wall; as far off the corner that is named as is said, else a hand's breadth.
   void settle_place(Opening& opening) const {
-    const Mm kOff = opening.from_corner.value_or(100);
+    const Mm off = opening.from_corner.value_or(100);
     const Wall* wall = opening.wall.empty() || opening.offset ? nullptr : context_.scene.find_wall(opening.wall);
     if (wall == nullptr) return;
     const Mm room = std::max(0, static_cast<Mm>(length_of(*wall)) - opening.width);
@@ -85,7 +85,7 @@ class OpeningNormalizer {
     const auto says = [&](std::string_view word) { return opening.place.find(word) != std::string::npos ? 1 : 0; };
     const Point along{wall->end.x - wall->start.x, wall->end.y - wall->start.y};
     const double toward = 1.0 * along.x * (says("right") - says("left")) + 1.0 * along.y * (says("back") - says("front"));
-    if (toward != 0) opening.offset = toward < 0 ? std::min(kOff, room) : std::max(0, room - kOff);
+    if (toward != 0) opening.offset = toward < 0 ? std::min(off, room) : std::max(0, room - off);
   }
 
   // A wall of glass is as wide and high as its wall.

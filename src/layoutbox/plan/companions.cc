@@ -170,7 +170,6 @@ class Companions {
     return any;
   }
 
-  // What would stand at its other side keeps it out of the corner.
   bool is_told_in_corner(const std::string& id) const {
     return std::ranges::any_of(scene_.relations_of(id),
                                [&](std::size_t r) { return scene_.graph().relations[r].type == RelationType::kCorner; });
@@ -223,6 +222,7 @@ class Companions {
     if (companion.up_to > 0 && hosts.size() > static_cast<std::size_t>(companion.up_to)) return;
     for (const std::string& host : hosts) {
       const SceneObject* sized = scene_.sized(host);
+      // A bed that is told to be in a corner has no room at its other side.
       const bool for_two = companion.both_sides_from > 0 && sized != nullptr && sized->size &&
                            sized->size->usual.width >= companion.both_sides_from && !is_told_in_corner(host);
       for (int k = 0; k < companion.each * (for_two ? 2 : 1); ++k) {

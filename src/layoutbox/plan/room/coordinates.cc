@@ -4,18 +4,16 @@
 
 #include "layoutbox/plan/phrases/noun_phrase_parts.h"
 #include "layoutbox/plan/phrases/reader_words.h"
+#include "layoutbox/plan/phrases/token_reader.h"
 #include "layoutbox/plan/words/word_sets.h"
 
 namespace layoutbox::offline {
 namespace {
 
-// What stands before coordinates and says no more than that they follow.
-bool leads_to_coordinates(const Token& token) { return one_of(token.text, WordSet::kBeforeCoordinates); }
-
-class CoordinateReader {
+class CoordinateReader : public TokenReader {
  public:
   CoordinateReader(const Lexicon& lexicon, Document& document, std::vector<bool>& skip)
-      : lexicon_(lexicon), document_(document), tokens_(document.tokens), skip_(skip) {}
+      : TokenReader(lexicon, document.tokens, skip), document_(document) {}
 
   void run() {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
@@ -24,20 +22,16 @@ class CoordinateReader {
       if (last == 0) last = read_pair(i, said);
       if (last == 0) continue;
       std::size_t first = i;
-      while (first > 0 && leads_to_coordinates(tokens_[first - 1])) --first;
+      while (first > 0 && is(first - 1, WordSet::kBeforeCoordinates)) --first;
       said.begin = tokens_[i].begin;
-      for (std::size_t n = first; n < last; ++n) {
-        skip_[n] = true;
-        document_.readings[n].role = "where it is, by coordinates";
-      }
+      leave_out(first, last);
+      for (std::size_t n = first; n < last; ++n) document_.readings[n].role = "where it is, by coordinates";
       document_.coordinates.push_back(said);
       i = last - 1;
     }
   }
 
  private:
-  bool is(std::size_t i, std::string_view text) const { return i < tokens_.size() && tokens_[i].text == text; }
-
   // A length, with or without its unit; the place behind it, 0: none.
   std::size_t read_metres(std::size_t i, std::optional<double>& metres) const {
     if (i >= tokens_.size() || tokens_[i].kind != Token::Kind::kNumber) return 0;
@@ -49,32 +43,29 @@ class CoordinateReader {
   // "x=3.0", "x = 1 m, y = 0.5 m"
   std::size_t read_named(std::size_t i, CoordinatesSaid& said) const {
     std::size_t last = 0;
-    while (is(i, "x") || is(i, "y")) {
+    while (is(i, {"x", "y"})) {
       if (i > 0 && last == 0 && tokens_[i - 1].kind == Token::Kind::kNumber) return 0;  // "4 x 3 m"
-      if (!is(i + 1, "=") && !is(i + 1, ":")) return last;
-      const std::size_t end = read_metres(i + 2, is(i, "x") ? said.x : said.y);
+      if (!is(i + 1, {"=", ":"})) return last;
+      const std::size_t end = read_metres(i + 2, is(i, {"x"}) ? said.x : said.y);
       if (end == 0) return last;
       last = i = end;
-      while (is(i, ",") || is(i, "and")) ++i;
+      while (is(i, {",", "and"})) ++i;
     }
     return last;
   }
 
   // "at (5.6, 0.4)": two numbers in brackets; a third one is a height, which follows from what it stands on.
   std::size_t read_pair(std::size_t i, CoordinatesSaid& said) const {
-    if (!is(i, "(") || i == 0 || !leads_to_coordinates(tokens_[i - 1])) return 0;
+    if (!is(i, {"("}) || i == 0 || !is(i - 1, WordSet::kBeforeCoordinates)) return 0;
     std::size_t end = read_metres(i + 1, said.x);
-    if (end == 0 || !(is(end, ",") || is(end, ";"))) return 0;
+    if (end == 0 || !is(end, {",", ";"})) return 0;
     end = read_metres(end + 1, said.y);
     std::optional<double> height;
-    if (end > 0 && is(end, ",")) end = read_metres(end + 1, height);
-    return end > 0 && is(end, ")") ? end + 1 : 0;
+    if (end > 0 && is(end, {","})) end = read_metres(end + 1, height);
+    return end > 0 && is(end, {")"}) ? end + 1 : 0;
   }
 
-  const Lexicon& lexicon_;
   Document& document_;
-  const std::vector<Token>& tokens_;
-  std::vector<bool>& skip_;
 };
 
 bool is_placed(const Chunk& chunk) {

@@ -40,6 +40,7 @@ void put_looks_before(const Lexicon& lexicon, Document& document, std::vector<bo
     if (words == 0) continue;
     turn(document.tokens);
     turn(document.readings);
+    turn(skip);
     i += words;
   }
 }
