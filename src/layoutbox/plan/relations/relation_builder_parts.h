@@ -91,6 +91,7 @@ class RelationBuilder : private RelationWriter {
   void add_single(const Link& link, PhraseSense sense, const Mention& target, const std::vector<int>& references, const Mention* place);
   std::string wall_behind(int item) const;
   void stand_in_corners();
+  void place_on_tops();
   void sit_off_the_fire();
   void leave_corners_to_servers();
   void add_in_leg(const Link& link, const Mention& target, const NounPhrase& place);
