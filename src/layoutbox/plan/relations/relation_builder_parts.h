@@ -32,6 +32,7 @@ class RelationBuilder : private RelationWriter {
   std::vector<std::string> opening_ids(const NounPhrase& noun) const;
   void complete_counters();
   void place_host_of(const Link& have);
+  int standing_before(int m) const;
   void place_hosts();
   void place_before_walls();
   void let_into_tops();
@@ -231,6 +232,7 @@ class RelationBuilder : private RelationWriter {
   void seat_in_windows();
   void sit_in_u();
   void sit_across_table();
+  void leave_room_to_serve();
   void park_cars();
   void sit_before_mirrors();
   void stand_under_counters();
