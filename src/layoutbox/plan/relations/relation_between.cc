@@ -123,7 +123,7 @@ void RelationBuilder::add_between(const Link& link, const std::vector<int>& targ
 
 // "two recliners side by side, a little table between them": as near as the table lets them be; a plain table between easy seats is small.
 void RelationBuilder::make_room_between() {
-  std::vector<std::pair<std::string, std::string>> in_reach;  // seat and table
+  std::vector<std::pair<std::string, std::string>> in_reach, at_sofas;  // seat and table
   for (const Relation& between : scene_.relations) {
     if (between.type != R::kBetween || between.references.size() != 2 || between.targets.size() != 1) continue;
     const auto middle = std::ranges::find(scene_.objects, between.targets[0], &SceneObject::id);
@@ -140,7 +140,7 @@ void RelationBuilder::make_room_between() {
     const bool sofas = are_all(Trait::kCenterPiece, Trait::kBed), easy = sofas || are_all(Trait::kEasySeat, Trait::kBed);
     const CatalogEntry* small = kind_at(catalog_, thing.entry->id, sofas ? KinPlace::kBetweenSofas : KinPlace::kBetweenSeats);
     if (easy && small != nullptr && thing.exact && !thing.size.any()) middle->category = small->id;
-    for (std::size_t s = 0; easy && s < 2; ++s) in_reach.emplace_back(between.references[s], between.targets[0]);
+    for (std::size_t s = 0; easy && s < 2; ++s) (sofas ? at_sofas : in_reach).emplace_back(between.references[s], between.targets[0]);
     const CatalogEntry* kind = catalog_.find(middle->category);
     const Mm width = (kind != nullptr ? kind : thing.entry)->size.usual.width;
     std::vector<std::size_t> of_both = relations_of(between.references[0]);
@@ -155,6 +155,11 @@ void RelationBuilder::make_room_between() {
     }
   }
   seat_in_reach(in_reach);
+  for (const auto& [sofa, table] : at_sofas) {
+    add_habit(R::kNextTo, {sofa}, {table}, kTogether, "a table between two sofas is in reach of both");
+    scene_.relations.back().hard = true;
+    scene_.relations.back().origin = Origin::kConcluded;
+  }
 }
 
 }  // namespace layoutbox::offline

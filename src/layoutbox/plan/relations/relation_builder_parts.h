@@ -233,6 +233,7 @@ class RelationBuilder : private RelationWriter {
   void sit_in_u();
   void sit_across_table();
   void leave_room_to_serve();
+  void sit_at_windows();
   void park_cars();
   void sit_before_mirrors();
   void stand_under_counters();

@@ -272,6 +272,7 @@ void RelationBuilder::add_habits() {
   sit_in_u();
   sit_across_table();
   leave_room_to_serve();
+  sit_at_windows();
   park_cars();
   sit_before_mirrors();
   stand_under_counters();
