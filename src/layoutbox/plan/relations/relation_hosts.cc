@@ -43,7 +43,8 @@ void RelationBuilder::place_host_of(const Link& have) {
   const auto area = [](const NounPhrase& one) {
     return one.entry == nullptr ? 0 : std::int64_t{one.entry->size.usual.width} * one.entry->size.usual.depth;
   };
-  const bool kept = !list && !seats && !carried && mount_of(noun) == Mount::kFloor && mount_of(other) == Mount::kFloor && 2 * area(other) < area(noun);
+  const bool kept =
+      !list && !seats && !carried && mount_of(noun) == Mount::kFloor && mount_of(other) == Mount::kFloor && 2 * area(other) < area(noun);
   // "a dressing table with a mirror under the window"
   const bool hung = !list && !carried && mount_of(other) == Mount::kWall && mount_of(noun) == Mount::kFloor;
   // "a piano with its stool by the window"
