@@ -132,6 +132,8 @@ constexpr PhrasePass kPhrasePasses[] = {
      "A kitchen with two knives, two forks and two spoons on the table."},
     {"forward wholes", settle_forward_wholes, "Both sofas have cushions. There are two sofas.",
      "There are two sofas. Both sofas have cushions."},
+    {"named again", kWithout<settle_named_again>, "A shop with a counter with a brass balance and a jar next to the balance.",
+     "A shop with a counter with a brass balance and a jar next to it."},
     {"forward names", kWithout<settle_forward_names>, "A bedroom. Leave space round the bed. A single bed is in the corner.",
      "A bedroom. A single bed is in the corner. Leave space round the bed."},
     {"filling counts", settle_filling_counts, "A table littered with bottles.", "A table with eight bottles on it."},

@@ -135,6 +135,25 @@ void settle_filling_counts(const Lexicon& lexicon, Document& document) {
   }
 }
 
+void settle_named_again(Document& document) {
+  constexpr std::size_t kBack = 60;  // chunks that are looked at
+  std::vector<Chunk>& chunks = document.chunks;
+  for (std::size_t k = 1; k < chunks.size() && !is_set(document.stop); ++k) {
+    NounPhrase& noun = chunks[k].noun;
+    const bool plain = chunks[k].kind == ChunkKind::kNoun && noun.kind == NounKind::kAbstract && noun.determiner == Determiner::kDefinite &&
+                       !noun.head.empty() && !noun.of;
+    for (std::size_t before = k; plain && before-- > 0 && before + kBack > k;) {
+      const NounPhrase& known = chunks[before].noun;
+      if (!is_thing(chunks[before]) || (known.name != noun.head && !known.name.ends_with(" " + noun.head))) continue;
+      noun.kind = NounKind::kObject;
+      noun.name = noun.head;
+      noun.entry = known.entry, noun.exact = known.exact;
+      noun.category = known.category;
+      break;
+    }
+  }
+}
+
 void settle_forward_names(Document& document) {
   constexpr std::size_t kAhead = 60;  // chunks that are looked at
   std::vector<Chunk>& chunks = document.chunks;

@@ -18,6 +18,9 @@ void settle_counts_of_each(const Lexicon& lexicon, Document& document);
 // "8 beds as bunks": four bunk beds.
 void settle_bunks(const Lexicon& lexicon, Document& document);
 
+// "A brass balance … to the left of the balance": what was named is meant, though its word alone names no thing.
+void settle_named_again(Document& document);
+
 // "leave space round the bed. A single bed, …": what is first spoken of by "the" is what the later mention brings in.
 void settle_forward_names(Document& document);
 
