@@ -34,6 +34,10 @@ struct Decor {
   bool skirting = true;      // boards along the foot of plastered walls
   std::string door, window;  // words for doors and windows of which nothing was said ("plank", "arched")
   PartLooks parts;           // of parts, as the text says
+  ThingParts of_things;      // of parts of single things, as the text says
+  std::string rug;           // what is woven into rugs ("diamonds"); empty: by chance
+  std::vector<Color> unwanted;                            // what nobody asked for is not to be of these
+  std::map<std::string, std::string, std::less<>> others;  // surfaces by those that give way to them
   // A wood for a thing, where nobody said which: the room's. Stands for oak and walnut only.
   std::string_view wood_for(std::string_view usual, std::uint64_t kind) const;
 };

@@ -12,7 +12,9 @@ namespace layoutbox {
 struct RoomLook {
   std::vector<Color> colors;       // of cloth and walls
   std::vector<std::string> woods;  // surfaces of wood, as materials.json names them
+  std::string metal;               // "navy and brass"; empty: none was said
   std::vector<Color> unwanted;     // "nothing beige"
+  std::vector<std::string> unwanted_stuffs;  // "no walnut"
   bool all = false;                // "everything in black": the furniture as well, where nothing was said of it
 };
 

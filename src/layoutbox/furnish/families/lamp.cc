@@ -158,6 +158,13 @@ std::string_view pendant_surface(const Piece& p) {
   return "lampshade";
 }
 
+// Its own colour, else what goes with everything: of metal in a workshop's style, warm white elsewhere. One loud ball spoils a room.
+int pendant_shade(Piece& p) {
+  const std::string_view usual = pendant_surface(p);
+  if (p.color_asked() || usual != "lampshade") return p.main(usual);
+  return p.is_style("industrial") ? p.named("black_metal") : p.named("lampshade");
+}
+
 void pendant(Piece& p) {
   if (p.w > 12 * p.d) return string_light(p);
   if (p.w > 1.6 * p.d) {
@@ -172,7 +179,7 @@ void pendant(Piece& p) {
     return;
   }
   const double r = p.w / 2, tall = std::min({0.3, p.h * 0.6, r * 1.3}), k = p.d / p.w;
-  const int metal = p.named("black_metal"), outside = p.main_accent(pendant_surface(p));
+  const int metal = p.named("black_metal"), outside = pendant_shade(p);
   if (p.word("kind", "") == "globe" || p.says("globe")) {
     const double ball = std::min(r, p.h * 0.46);
     const bool paper = p.category() == "paper_lantern";

@@ -23,7 +23,9 @@ std::vector<Vec2> rectangle(double x, double y) { return {{-x, -y}, {x, -y}, {x,
 
 // A field with a medallion and corners, within a wide border of small figures, fringes at the ends.
 void persian_rug(Piece& p) {
-  const Color field = {0.52, 0.13, 0.13}, dark = {0.12, 0.15, 0.29}, pale = {0.86, 0.78, 0.62};
+  const bool of_room = p.colors_said() && !p.color_asked();
+  const Color field = of_room ? p.accent() : Color{0.50, 0.18, 0.16}, pale = {0.86, 0.78, 0.62};
+  const Color dark = of_room ? mixed(p.second_accent(), {0.25, 0.22, 0.20}, 0.3) : Color{0.16, 0.18, 0.28};
   const int red = p.color_asked() ? p.main("wool") : p.tinted("wool", field), navy = p.tinted("wool", dark), cream = p.tinted("wool", pale);
   const bool along = p.w >= p.d;
   const double fringe = 0.04, x = p.w / 2 - (along ? fringe : 0), y = p.d / 2 - (along ? 0 : fringe), in = std::min(x, y);
@@ -142,6 +144,12 @@ class RugPattern {
     band(stripe_, a_ - in - t, a_ - in, -b_ + in + t, b_ - in - t);
   }
 
+  // Bands both ways, each pair of them lying over the other.
+  void plaid(int second) {
+    for (const double v : {-0.6, 0.0, 0.6}) band(stripe_, -a_ + 0.003, a_ - 0.003, (v - 0.1) * b_, (v + 0.1) * b_);
+    for (double u = -a_ + 0.2; u < a_ - 0.1; u += 0.45) band(second, u, u + 0.11, -b_ + 0.003, b_ - 0.003);
+  }
+
   void bands(int second) {
     for (const double v : {-0.76, 0.76}) band(stripe_, -a_ + 0.003, a_ - 0.003, v * b_ - b_ * 0.045, v * b_ + b_ * 0.045);
     band(second, -a_ + 0.003, a_ - 0.003, -b_ * 0.03, b_ * 0.03);
@@ -165,13 +173,26 @@ class RugPattern {
   double a_, b_;
 };
 
-void weave(Piece& p, int stripe, const Color& accent) {
+// The pattern that is said of a rug, else that of its style or of chance.
+std::string pattern_of(Piece& p) {
+  for (const auto& [word, pattern] : {std::pair{"geometric", "diamonds"}, {"diamond", "diamonds"}, {"striped", "bands"}, {"stripes", "bands"},
+                                      {"plaid", "plaid"}, {"tartan", "plaid"}, {"checked", "checks"}, {"checkered", "checks"},
+                                      {"checkerboard", "checks"}, {"moroccan", "diamonds"}, {"bordered", "border"}}) {
+    if (p.says(word)) return pattern;
+  }
   constexpr const char* kPatterns[] = {"bands", "border", "diamonds", "checks"};
-  const std::string pattern = p.word("pattern", std::min(p.w, p.d) > 0.9 ? kPatterns[p.pick(4)] : kPatterns[p.pick(2)]);
+  const std::string of_style = p.rug_pattern();
+  const int by_chance = std::min(p.w, p.d) > 0.9 ? p.pick(4) : p.pick(2);
+  return p.word("pattern", of_style.empty() || of_style == "persian" ? kPatterns[by_chance] : of_style);
+}
+
+void weave(Piece& p, int stripe, const Color& accent) {
+  const std::string pattern = pattern_of(p);
   RugPattern woven(p, stripe, p.h * 0.8);
   if (pattern == "diamonds" || pattern == "checks") return woven.field(pattern == "checks");
   if (pattern == "border") return woven.border();
-  woven.bands(p.tinted("wool", mixed(accent, {0.75, 0.35, 0.28}, 0.6)));
+  if (pattern == "plaid") return woven.plaid(p.tinted("wool", mixed(p.second_accent(), {0.2, 0.18, 0.16}, 0.4)));
+  woven.bands(p.tinted("wool", mixed(accent, {0.45, 0.40, 0.34}, 0.35)));
 }
 
 void rug(Piece& p) {
@@ -180,12 +201,13 @@ void rug(Piece& p) {
   if (kind == "puzzle") return puzzle_mat(p);
   const bool round = p.says("round") || p.says("circular") || p.says("circle") || p.word("top", "rect") == "round";
   const bool oval = p.says("oval") || p.word("top", "rect") == "oval";
-  if (kind == "pattern" && !round && !oval) return persian_rug(p);
+  const bool of_style = kind.empty() && p.rug_pattern() == "persian" && !p.color_asked() && std::min(p.w, p.d) > 0.9;
+  if ((kind == "pattern" || of_style) && !round && !oval && !long_haired) return persian_rug(p);
   if ((kind == "hide" || long_haired) && !round && !oval) return fur_rug(p);
   const int base = p.colors_said() ? p.main_accent("wool") : p.main("wool");
   if (kind == "plain" || p.says("plain")) return p.add(base, box(p.body(), std::min(0.006, p.h * 0.4)));
-  const Color accent = p.accent();
-  const int stripe = p.tinted("wool", p.color_asked() || p.colors_said() ? Color{0.92, 0.89, 0.82} : accent);
+  const Color accent = p.color_asked() || p.colors_said() ? p.second_accent() : p.accent();
+  const int stripe = p.tinted("wool", accent);
   const double low = p.h * 0.8;
   if (round || oval) return round_rug(p, base, stripe);
   p.add(base, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, low), 0.003));
