@@ -160,7 +160,7 @@ def paint_glazed(nodes, point, row):
     """Square tiles of edge 1 made by hand: each of a shade of its own, joints of second."""
     base, second = row["color"], row["second"]
     tile, joint = nodes.bricks(point, 1.0, 1.0, 1 / 40, offset=0.0)
-    body = nodes.ramp(tile, (0.0, between(base, (0, 0, 0), 0.28)), (0.5, base), (1.0, between(base, (1, 1, 1), 0.28)))
+    body = nodes.ramp(tile, (0.0, between(base, (0, 0, 0), 0.16)), (0.5, base), (1.0, between(base, (1, 1, 1), 0.16)))
     return nodes.mix(joint, body, rgba(second))
 
 

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <nlohmann/json.hpp>
 
+#include "layoutbox/base/units.h"
 #include "layoutbox/base/words.h"
 #include "layoutbox/furnish/decor_colors.h"
 #include "layoutbox/furnish/decor_data.h"
@@ -120,13 +121,42 @@ std::vector<std::string> things_of(const Layout& layout) {
   return heads;
 }
 
+// The colour that the text gives the largest of what stands in the room, else its walls; nothing where none is more than grey.
+std::optional<Color> said_of_things(const Layout& layout) {
+  constexpr double kLeast = 0.25, kVivid = 0.12;  // m², chroma
+  std::optional<Color> said = layout.room.wall_material.empty() ? std::nullopt : read_wish(layout.room.wall_material).color;
+  if (said && chroma_of(*said) < kVivid) said.reset();
+  double largest = kLeast;
+  for (const PlacedObject& object : layout.objects) {
+    std::string look = object.material;
+    for (const std::string& word : object.attributes) look += " " + word;
+    const std::optional<Color> color = read_wish(look).color;
+    const double area = m_from_mm(object.size.width) * m_from_mm(object.size.depth);
+    if (!color || area < largest || chroma_of(*color) < kVivid) continue;
+    said = color;
+    largest = area;
+  }
+  return said;
+}
+
 // Woods, metal and colours of a style.
 void take_style(Decor& decor, const RoomStyle& style) {
   decor.style = style.name;
   decor.woods = style.data->at("woods").get<std::vector<std::string>>();
   decor.metal = style.data->value("metal", decor.metal);
   decor.rug = style.data->value("rug", decor.rug);
+  if (style.data->contains("leather")) decor.leather = read_wish(style.data->at("leather").get<std::string>()).color;
   if (style.data->contains("palette")) decor.accents = palette_of(style.data->at("palette"));
+}
+
+// "Snow outside the windows".
+void take_view(Decor& decor, std::string_view prompt) {
+  const std::string text = lower_case(prompt);
+  for (const Json& view : decor_data().at("views")) {
+    const bool said =
+        std::ranges::any_of(view.at("says"), [&](const Json& phrase) { return says_word(text, phrase.get<std::string>()); });
+    if (said) decor.view = view.at("window").get<std::string>();
+  }
 }
 
 // Walls, skirtings, doors and windows of a style.
@@ -196,13 +226,14 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
     decor.pictures = says_one_of(layout.prompt, "grown_words") ? "" : "child";
     decor.woods = {"birch", "lacquer"};
   } else {
-    decor.accents = palette_of(one_of(decor_data().at("palettes"), chance >> 24));
+    decor.accents = accents_beside(said_of_things(layout), palette_of(one_of(decor_data().at("palettes"), chance >> 24)));
   }
   if (style != nullptr) take_style(decor, named);
   if (style != nullptr && style->contains("walls") && decor.wall_finish.empty())
     decor.wall = color_of_json(one_of(style->at("walls"), chance >> 8));
   if (style != nullptr) take_shell(decor, *style);
   take_conditions(decor, layout.prompt);
+  take_view(decor, layout.prompt);
   decor.shelves_said = shelves_said(layout.prompt);
   decor.parts = part_looks(layout.prompt);
   take_room_look(decor, room_look(layout.prompt), kind, style == &decor_data().at("moods").at("dark"));
@@ -210,6 +241,8 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
     for (const auto& [part, look] : style->at("parts").items()) decor.parts.emplace(part, part_look_of(look.get<std::string>()));
   }
   decor.of_things = thing_parts(layout);
+  take_fittings(decor);
+  suit_floor(decor, room, chance);
   if (const auto accents = decor.parts.find("accents"); accents != decor.parts.end() && !accents->second.colors.empty())
     decor.accents = accents->second.colors;
   return decor;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,10 +33,12 @@ struct Decor {
   double daylight = 1;       // a share of the usual light from without
   double wear = 0;           // 0: new, 1: as worn and dirty as can be
   bool skirting = true;      // boards along the foot of plastered walls
+  std::string view;          // a word for what is seen behind windows ("snow"); empty: the sky
   std::string door, window;  // words for doors and windows of which nothing was said ("plank", "arched")
   PartLooks parts;           // of parts, as the text says
   ThingParts of_things;      // of parts of single things, as the text says
   std::string rug;           // what is woven into rugs ("diamonds"); empty: by chance
+  std::optional<Color> leather;  // of which nobody said the colour; nothing: brown
   std::vector<Color> unwanted;                            // what nobody asked for is not to be of these
   std::map<std::string, std::string, std::less<>> others;  // surfaces by those that give way to them
   // A wood for a thing, where nobody said which: the room's. Stands for oak and walnut only.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "layoutbox/furnish/decor_data.h"
@@ -13,11 +14,9 @@ using Json = nlohmann::json;
 
 double brightness(const Color& c) { return 0.3 * c.r + 0.59 * c.g + 0.11 * c.b; }
 
-double chroma(const Color& c) { return std::max({c.r, c.g, c.b}) - std::min({c.r, c.g, c.b}); }
-
 // Degrees round the circle of hues.
 double hue(const Color& c) {
-  const double most = std::max({c.r, c.g, c.b}), span = chroma(c);
+  const double most = std::max({c.r, c.g, c.b}), span = chroma_of(c);
   if (span <= 0) return 0;
   const double sixths = most == c.r ? (c.g - c.b) / span : most == c.g ? 2 + (c.b - c.r) / span : 4 + (c.r - c.g) / span;
   return 60 * (sixths < 0 ? sixths + 6 : sixths);
@@ -27,7 +26,7 @@ double hue(const Color& c) {
 bool is_like_gray(const Color& color, const Color& gray) {
   constexpr double kHardly = 0.075, kBlack = 0.17, kWhite = 0.84;
   const double light = brightness(color), of_gray = brightness(gray);
-  if (chroma(color) > kHardly) return false;
+  if (chroma_of(color) > kHardly) return false;
   if (of_gray < kBlack) return light < kBlack + 0.08;
   return of_gray > kWhite ? light > kWhite : light >= kBlack && light <= kWhite;
 }
@@ -35,15 +34,18 @@ bool is_like_gray(const Color& color, const Color& gray) {
 bool is_like(const Color& color, const Color& banned) {
   constexpr double kGray = 0.06, kVivid = 0.3, kHue = 24, kFaint = 0.16;
   if (is_much_like(color, banned)) return true;
-  if (chroma(banned) < kGray) return is_like_gray(color, banned);
+  if (chroma_of(banned) < kGray) return is_like_gray(color, banned);
   const double apart = std::abs(hue(color) - hue(banned)), turn = std::min(apart, 360 - apart);
-  return chroma(banned) > kVivid && chroma(color) > kFaint && turn < kHue && brightness(banned) > 0.35;
+  return chroma_of(banned) > kVivid && chroma_of(color) > kFaint && turn < kHue && brightness(banned) > 0.35;
 }
 
-// Walls of a room whose colours are said: of the lightest of them, far paler.
+// Walls of a room whose colours are said: of the lightest of them, far paler; of a pale colour beside white, so that it is seen.
 Color wall_of(const std::vector<Color>& said) {
+  constexpr double kPale = 0.6, kTinged = 0.05;
   const Color& lightest = *std::ranges::max_element(said, {}, brightness);
-  return mixed(lightest, {0.95, 0.94, 0.92}, 0.65);
+  const auto pale = std::ranges::find_if(said, [](const Color& c) { return brightness(c) > kPale && chroma_of(c) > kTinged; });
+  const bool tinged = pale != said.end() && chroma_of(lightest) < kTinged;
+  return mixed(tinged ? *pale : lightest, {0.95, 0.94, 0.92}, tinged ? 0.5 : 0.65);
 }
 
 std::vector<Color> calm_colors() { return palette_of(decor_data().at("calm")); }
@@ -51,9 +53,11 @@ std::vector<Color> calm_colors() { return palette_of(decor_data().at("calm")); }
 // One colour alone is told from itself by paler ones and by what is calm.
 void add_shades(std::vector<Color>& said) {
   if (said.size() != 1) return;
+  constexpr double kGray = 0.06;
   const Color color = said.front();
-  said.push_back(mixed(color, {0.95, 0.93, 0.89}, 0.45));
-  said.push_back(calm_colors().front());
+  const bool gray = chroma_of(color) < kGray;
+  said.push_back(gray ? mixed(color, {0.75, 0.75, 0.74}, 0.3) : mixed(color, {0.95, 0.93, 0.89}, 0.45));
+  said.push_back(gray ? mixed(color, {0.75, 0.73, 0.69}, 0.2) : calm_colors().front());
 }
 
 // The first of those that is not banned, by its own colour; the usual one where all are.
@@ -95,6 +99,50 @@ void give_way(Decor& decor) {
 }  // namespace
 
 Color color_of_json(const Json& json) { return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()}; }
+
+double chroma_of(const Color& color) { return std::max({color.r, color.g, color.b}) - std::min({color.r, color.g, color.b}); }
+
+std::vector<Color> accents_beside(const std::optional<Color>& said, const std::vector<Color>& usual) {
+  if (!said) return usual;
+  constexpr double kCalm = 0.14;  // chroma
+  std::vector<Color> accents{*said};
+  std::ranges::copy_if(usual, std::back_inserter(accents), [](const Color& color) { return chroma_of(color) < kCalm; });
+  accents.push_back(mixed(*said, {0.90, 0.87, 0.81}, 0.5));
+  return accents;
+}
+
+void take_fittings(Decor& decor) {
+  const auto said = decor.parts.find("fittings");
+  if (said == decor.parts.end()) return;
+  constexpr double kDark = 0.25;
+  const PartLook& look = said->second;
+  const bool metal = look.material != nullptr && look.material->kind == "metal";
+  if (!metal && look.colors.empty()) return;
+  decor.metal = metal ? look.material->surface.name : brightness(look.colors.front()) < kDark ? "black_metal" : "painted_metal";
+  for (const char* usual : {"chrome", "steel"}) {
+    if (decor.metal != usual) decor.others.insert_or_assign(usual, decor.metal);
+  }
+}
+
+void suit_floor(Decor& decor, const Json& room, std::uint64_t chance) {
+  constexpr double kLight = 0.6, kDark = 0.45;
+  const auto tone = [](const std::string& floor) {
+    const SurfaceWish wish = read_wish(floor);
+    return wish.materials.empty() ? 1.0 : brightness(wish.color.value_or(wish.materials.front()->surface.base));
+  };
+  const Json& boards = decor_data().at("wood_floors");
+  const SurfaceWish now = read_wish(decor.floor);
+  const bool planks = !now.materials.empty() && now.materials.front()->surface.texture == "planks";
+  if (decor.woods_said && planks && boards.contains(decor.woods.front())) decor.floor = boards.at(decor.woods.front()).get<std::string>();
+  double light = 0;
+  for (const Color& color : decor.accents) light += brightness(color) / static_cast<double>(decor.accents.size());
+  if (!decor.colors_said || light < kLight || tone(decor.floor) > kDark) return;
+  const Json& floors = room.at("floors");
+  for (std::size_t i = 0; i < floors.size(); ++i) {
+    const std::string other = floors[(i + chance) % floors.size()].get<std::string>();
+    if (tone(other) > kDark) decor.floor = other;
+  }
+}
 
 std::vector<Color> palette_of(const Json& palette) {
   const Json& colors = palette.is_number() ? decor_data().at("palettes")[palette.get<std::size_t>()] : palette;

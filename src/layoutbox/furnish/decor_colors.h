@@ -1,7 +1,9 @@
 // The colours of a room: of its palette, as the text says them, and without those that it is not to have.
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -20,6 +22,19 @@ PartLook part_look_of(const std::string& words);
 
 // Whether a person would call it by the name of one of those: "no grey" bans all greys, "no black" what is nearly black.
 bool is_banned(const Color& color, std::span<const Color> banned);
+
+// How far from grey, 0 to 1.
+double chroma_of(const Color& color);
+
+// The colours of cloth beside what the text says of a large thing: that colour, a paler one, and what is calm of the usual ones.
+std::vector<Color> accents_beside(const std::optional<Color>& said, const std::vector<Color>& usual);
+
+// "Black fixtures", "brass taps": what is usually of chrome and steel is of that.
+void take_fittings(Decor& decor);
+
+// A floor of the woods that the text says of the whole room, and none that is far darker than the colours that it says. `room`: what
+// decor.json has of rooms of the kind.
+void suit_floor(Decor& decor, const nlohmann::json& room, std::uint64_t chance);
 
 // The colours and woods that the text says of the whole room; what it does not want gives way. `dark`: the room is to be dark.
 void take_room_look(Decor& decor, RoomLook said, const std::string& kind, bool dark);

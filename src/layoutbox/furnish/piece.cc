@@ -205,7 +205,10 @@ Surface Piece::asked(std::string_view usual, bool with_color) const {
   const auto said = std::span(wish_.materials).first(said_materials_);
   if (fitting == nullptr || std::find(said.begin(), said.end(), fitting) == said.end()) {
     const NamedSurface& now = fitting != nullptr ? *fitting : like;
-    const bool other_metal = now.surface.name == "steel" && !decor_.metal.empty();
+    // What is all of steel (a fridge) may be black, never of brass.
+    const bool noble = with_color && named_surface(decor_.metal.empty() ? "steel" : decor_.metal).surface.texture.empty() &&
+                       decor_.metal != "black_metal" && decor_.metal != "chrome";
+    const bool other_metal = now.surface.name == "steel" && !decor_.metal.empty() && !noble;
     const std::string_view own = other_metal ? std::string_view(decor_.metal) : decor_.wood_for(now.surface.name, kind_seed_);
     if (own != now.surface.name) fitting = &named_surface(own);
     // Of a thing that is all of metal, what is painted is more likely than what is gilded.
@@ -215,6 +218,7 @@ Surface Piece::asked(std::string_view usual, bool with_color) const {
   }
   const NamedSurface& chosen = fitting != nullptr ? *fitting : like;
   if (said.empty() && takes_room_color(chosen)) return colored(chosen, accent());
+  if (chosen.surface.name == "leather" && decor_.leather && !color_asked()) return colored(chosen, *decor_.leather);
   Surface surface = chosen.surface;
   if (!with_color) {
     // A colour said together with a hard material is that material's: "white wooden bed".
