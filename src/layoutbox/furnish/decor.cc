@@ -97,10 +97,19 @@ bool is_childs(const std::string& kind, std::string_view prompt) {
   return kind == "bedroom" && says_one_of(prompt, "child_words");
 }
 
+// The text without what only sounds worn: "shabby chic".
+std::string without_not_worn(std::string text) {
+  for (const Json& phrase : decor_data().at("not_worn")) {
+    const std::string& words = phrase.get_ref<const std::string&>();
+    for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words)) text.erase(at, words.size());
+  }
+  return text;
+}
+
 // "An abandoned ward", "a dark cellar": what is said of the whole room as it opens, by which it is darker or more worn.
 void take_conditions(Decor& decor, std::string_view prompt) {
   constexpr std::size_t kLongestOpening = 80;  // characters
-  const std::string text = lower_case(prompt), opening = text.substr(0, std::min(text.find_first_of(":;.\n"), kLongestOpening));
+  const std::string text = without_not_worn(lower_case(prompt)), opening = text.substr(0, std::min(text.find_first_of(":;.\n"), kLongestOpening));
   for (const Json& condition : decor_data().at("conditions")) {
     const std::string& where = condition.value("anywhere", false) ? text : opening;
     const bool said =
@@ -240,6 +249,7 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
   if (style != nullptr && style->contains("parts")) {
     for (const auto& [part, look] : style->at("parts").items()) decor.parts.emplace(part, part_look_of(look.get<std::string>()));
   }
+  decor.scheme_walls = decor.colors_said && !says_one_of(layout.prompt, "wall_words");
   decor.of_things = thing_parts(layout);
   take_fittings(decor);
   suit_floor(decor, room, chance);
@@ -251,7 +261,7 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
 double wear_said(std::string_view text) {
   double wear = 0;
   for (const auto& [words, share] : decor_data().at("wear").items()) {
-    for (const std::string& word : words_of(text)) {
+    for (const std::string& word : words_of(without_not_worn(lower_case(text)))) {
       if (lists(words, word)) wear = std::max(wear, share.get<double>());
     }
   }

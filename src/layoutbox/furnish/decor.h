@@ -25,6 +25,7 @@ struct Decor {
   std::map<std::string, std::string, std::less<>> shelves_said;  // contents by the word for what holds them ("shelf": "toys")
   bool parapet = false;      // out of doors: walls that nothing is let into are no higher than a railing
   bool colors_said = false;  // the accents are the text's own
+  bool scheme_walls = false;  // what colours the walls have is said of the whole room alone
   bool woods_said = false;   // the woods are the text's own
   bool all = false;          // the furniture as well has these colours and woods, where nothing was said of it
   std::string cases;         // what lies in glass cases of which nothing was said; empty: nothing

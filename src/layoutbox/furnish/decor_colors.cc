@@ -77,8 +77,9 @@ std::string not_banned(const std::string& usual, const Json& others, std::span<c
 void give_way(Decor& decor) {
   const auto banned = [&](const Color& color) { return is_banned(color, decor.unwanted); };
   std::erase_if(decor.accents, banned);
+  const bool enough = decor.colors_said && !decor.accents.empty();
   for (const Color& calm : calm_colors()) {
-    if (decor.accents.size() < 3 && !banned(calm)) decor.accents.push_back(calm);
+    if (!enough && decor.accents.size() < 3 && !banned(calm)) decor.accents.push_back(calm);
   }
   const Json& others = decor_data().at("others");
   std::erase_if(decor.woods, [&](const std::string& wood) { return banned(named_surface(wood).surface.base); });

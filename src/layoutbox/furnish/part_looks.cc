@@ -8,6 +8,7 @@
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/embedded/catalog_data.h"
+#include "layoutbox/furnish/prompt_words.h"
 
 namespace layoutbox {
 namespace {
@@ -83,6 +84,7 @@ std::optional<PartLook> look_of(std::span<const std::string> said) {
 std::optional<PartLook> look_before(const Clause& text, std::size_t at) {
   std::size_t from = at;
   while (from > 0 && at - from < kMostBefore && says_look(text[from - 1])) --from;
+  if (is_banned_at(text, from)) return std::nullopt;
   return look_of(std::span(text).subspan(from, at - from));
 }
 

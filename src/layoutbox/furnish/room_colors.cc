@@ -14,14 +14,25 @@ namespace {
 
 bool is_color_word(const std::string& word) { return is_in_list("color_words", word); }
 
+// "Sage green", "white oak": two words of one colour or stuff.
+bool are_one_look(const std::string& two) {
+  const std::vector<std::string> words = words_of(two);
+  if (!is_look_word(words.front()) || !is_look_word(words.back()) || is_color_word(words.front())) return false;
+  const SurfaceWish wish = read_wish(two);
+  return !wish.second && wish.materials.size() + (wish.color ? 1U : 0U) == 1U;
+}
+
 // What words say that name nothing but colours, woods and metals ("pink and white"); nothing where another word is among them.
 ColorScheme only_looks(std::string_view text) {
   ColorScheme scheme;
   std::string two;
-  for (const std::string& word : words_of(text)) {
+  const std::vector<std::string> words = words_of(text);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    std::string word = words[i];
+    if (i + 1 < words.size() && are_one_look(word + " " + words[i + 1])) word += " " + words[++i];
     const SurfaceWish wish = read_wish(two.empty() ? word : two + " " + word);
     const NamedSurface* stuff = wish.materials.empty() ? nullptr : wish.materials.front();
-    if (wish.color && is_look_word(word)) {
+    if (wish.color && is_look_word(words[i])) {
       scheme.colors.push_back(*wish.color);
     } else if (stuff != nullptr && stuff->kind == "wood") {
       scheme.woods.push_back(stuff->surface.name);

@@ -115,7 +115,10 @@ double mitre(Vec2 along, double own, Vec2 next_along, double next) {
 
 // What a wall is of: as asked, else as the room's look has it.
 Surface wall_surface(const Layout& layout, const Decor& decor, const std::string& asked) {
-  if (!asked.empty()) return surface_for(layout, asked, "plaster", false);
+  const SurfaceWish wish = read_wish(asked);
+  const bool of_scheme = decor.scheme_walls && decor.accents.size() > 1 && wish.materials.empty() && wish.color &&
+                         std::ranges::find(decor.accents, *wish.color) != decor.accents.end();
+  if (!asked.empty() && !of_scheme) return surface_for(layout, asked, "plaster", false);
   if (!decor.wall_finish.empty()) return surface_for(layout, decor.wall_finish, "tiles", false);
   return colored(named_surface("plaster"), decor.wall);
 }
