@@ -109,7 +109,8 @@ std::string without_not_worn(std::string text) {
 // "An abandoned ward", "a dark cellar": what is said of the whole room as it opens, by which it is darker or more worn.
 void take_conditions(Decor& decor, std::string_view prompt) {
   constexpr std::size_t kLongestOpening = 80;  // characters
-  const std::string text = without_not_worn(lower_case(prompt)), opening = text.substr(0, std::min(text.find_first_of(":;.\n"), kLongestOpening));
+  const std::string text = without_not_worn(lower_case(prompt)),
+                    opening = text.substr(0, std::min(text.find_first_of(":;.\n"), kLongestOpening));
   for (const Json& condition : decor_data().at("conditions")) {
     const std::string& where = condition.value("anywhere", false) ? text : opening;
     const bool said =
@@ -162,8 +163,7 @@ void take_style(Decor& decor, const RoomStyle& style) {
 void take_view(Decor& decor, std::string_view prompt) {
   const std::string text = lower_case(prompt);
   for (const Json& view : decor_data().at("views")) {
-    const bool said =
-        std::ranges::any_of(view.at("says"), [&](const Json& phrase) { return says_word(text, phrase.get<std::string>()); });
+    const bool said = std::ranges::any_of(view.at("says"), [&](const Json& phrase) { return says_word(text, phrase.get<std::string>()); });
     if (said) decor.view = view.at("window").get<std::string>();
   }
 }
@@ -249,7 +249,7 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
   if (style != nullptr && style->contains("parts")) {
     for (const auto& [part, look] : style->at("parts").items()) decor.parts.emplace(part, part_look_of(look.get<std::string>()));
   }
-  decor.scheme_walls = decor.colors_said && !says_one_of(layout.prompt, "wall_words");
+  decor.scheme_walls = decor.colors_said && !says_walls(layout.prompt);
   decor.of_things = thing_parts(layout);
   take_fittings(decor);
   suit_floor(decor, room, chance);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "layoutbox/furnish/decor_data.h"
+#include "layoutbox/furnish/prompt_words.h"
 
 namespace layoutbox {
 namespace {
@@ -112,6 +113,16 @@ std::vector<Color> accents_beside(const std::optional<Color>& said, const std::v
   return accents;
 }
 
+bool says_walls(std::string_view prompt) {
+  const std::vector<std::string> words = words_and_signs(prompt);
+  const auto looks = [&](std::size_t at) { return at < words.size() && is_look_word(words[at]); };
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (is_in_list("cover_words", words[i])) return true;
+    if (is_in_list("wall_words", words[i]) && ((i > 0 && looks(i - 1)) || looks(i + 1) || looks(i + 2))) return true;
+  }
+  return false;
+}
+
 void take_fittings(Decor& decor) {
   const auto said = decor.parts.find("fittings");
   if (said == decor.parts.end()) return;
@@ -169,7 +180,8 @@ void take_room_look(Decor& decor, RoomLook said, const std::string& kind, bool d
   decor.woods_said = !said.woods.empty();
   if (decor.woods_said) decor.woods = said.woods;
   if (!said.metal.empty()) decor.metal = said.metal;
-  std::erase_if(decor.woods, [&](const std::string& wood) { return std::ranges::find(said.unwanted_stuffs, wood) != said.unwanted_stuffs.end(); });
+  std::erase_if(decor.woods,
+                [&](const std::string& wood) { return std::ranges::find(said.unwanted_stuffs, wood) != said.unwanted_stuffs.end(); });
   decor.all = said.all;
   decor.unwanted = std::move(said.unwanted);
   if (!said.colors.empty()) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "layoutbox/furnish/decor.h"
 #include "layoutbox/furnish/room_look.h"
@@ -28,6 +29,9 @@ double chroma_of(const Color& color);
 
 // The colours of cloth beside what the text says of a large thing: that colour, a paler one, and what is calm of the usual ones.
 std::vector<Color> accents_beside(const std::optional<Color>& said, const std::vector<Color>& usual);
+
+// Whether the text says what the walls are like, rather than what is at them: "walls pale blue", "beside the brick wall", "painted".
+bool says_walls(std::string_view prompt);
 
 // "Black fixtures", "brass taps": what is usually of chrome and steel is of that.
 void take_fittings(Decor& decor);

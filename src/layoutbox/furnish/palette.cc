@@ -171,7 +171,7 @@ Surface colored(const NamedSurface& named, const Color& color) {
   const std::string& texture = from->surface.texture;
   const double dark = std::max({color.r, color.g, color.b}), pale = std::min({color.r, color.g, color.b});
   const bool checker = texture == "checker" || texture == "rosettes";  // of two colours, the second of which is the one that is said
-  if (checker && (dark < 0.2 || pale > 0.8)) return surface;  // black and white are its own two
+  if (checker && (dark < 0.2 || pale > 0.8)) return surface;           // black and white are its own two
   (checker ? surface.second : surface.base) = color;
   const bool printed = from->kind == "floor" && (texture == "stripes" || texture == "flowers");  // on paper of that colour
   if (!checker)

@@ -23,7 +23,7 @@ struct NamedPart {
 struct PartWords {
   std::vector<NamedPart> parts;
   std::vector<NamedPart> of_things;
-  std::vector<std::string> passed, joins;  // words among those of a look that say nothing of it; words between a part and its look
+  std::vector<std::string> passed, joins;   // words among those of a look that say nothing of it; words between a part and its look
   std::vector<std::string> belongs, after;  // words between a thing and its part; between a thing's part and its look
 };
 
@@ -41,8 +41,8 @@ std::vector<NamedPart> named_parts(const nlohmann::json& list) {
 
 PartWords read_part_words() {
   const nlohmann::json data = nlohmann::json::parse(embedded::decor_json).at("parts");
-  return {named_parts(data.at("of")),     named_parts(data.at("of_things")), strings(data.at("passed")),
-          strings(data.at("joins")),      strings(data.at("belongs")),       strings(data.at("after"))};
+  return {named_parts(data.at("of")), named_parts(data.at("of_things")), strings(data.at("passed")),
+          strings(data.at("joins")),  strings(data.at("belongs")),       strings(data.at("after"))};
 }
 
 const PartWords& words_of_parts() {

@@ -49,12 +49,24 @@ ColorScheme only_looks(std::string_view text) {
   return scheme;
 }
 
+// "A palette of terracotta, sand and cream": what follows to the end of the clause.
+ColorScheme scheme_named(std::string_view clause) {
+  constexpr std::string_view kOf = " of ";
+  for (std::size_t of = clause.find(kOf); of != std::string_view::npos; of = clause.find(kOf, of + 1)) {
+    const std::vector<std::string> before = words_of(clause.substr(0, of));
+    if (!before.empty() && is_in_list("shade_words", before.back())) return only_looks(clause.substr(of + kOf.size()));
+  }
+  return {};
+}
+
 // Those of a clause that names nothing but looks ("colours: sage and cream"), of an item of a list that says so of everything ("mostly
 // black", "purple vibes"), of its beginning or end ("Sage and cream, blackout curtains", "…, a bean bag, pink and beige"; one colour alone
 // is of what stands before it), and of the room's kind at once ("a nursery in soft yellow and white"): of the whole room.
 ColorScheme scheme_of_clause(std::string_view clause, bool opens) {
   constexpr std::size_t kOpening = 40;  // characters
-  ColorScheme said = only_looks(clause);
+  ColorScheme said = scheme_named(clause);
+  if (said.size() > 0) return said;
+  said = only_looks(clause);
   if (said.colors.empty() && said.size() < 2) said = {};  // "Oak." is of what stands before it
   for (std::size_t at = 0; at < clause.size() && said.size() == 0;) {
     const std::size_t end = std::min(clause.find(',', at), clause.size());

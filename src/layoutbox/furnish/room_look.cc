@@ -36,7 +36,8 @@ LookRun run_at(const Words& words, std::size_t at) {
   for (; i < words.size(); ++i) {
     if (is_look_word(words[i])) {
       said += (said.empty() ? "" : " ") + words[i];
-    } else if (words[i] == "and" || words[i] == "&" || words[i] == "or" || (words[i] == "," && i + 1 < words.size() && is_look_word(words[i + 1]))) {
+    } else if (words[i] == "and" || words[i] == "&" || words[i] == "or" ||
+               (words[i] == "," && i + 1 < words.size() && is_look_word(words[i + 1]))) {
       close(i);
       if (run.looks.empty()) break;
     } else {

@@ -175,9 +175,17 @@ class RugPattern {
 
 // The pattern that is said of a rug, else that of its style or of chance.
 std::string pattern_of(Piece& p) {
-  for (const auto& [word, pattern] : {std::pair{"geometric", "diamonds"}, {"diamond", "diamonds"}, {"striped", "bands"}, {"stripes", "bands"},
-                                      {"plaid", "plaid"}, {"tartan", "plaid"}, {"checked", "checks"}, {"checkered", "checks"},
-                                      {"checkerboard", "checks"}, {"moroccan", "diamonds"}, {"bordered", "border"}}) {
+  for (const auto& [word, pattern] : {std::pair{"geometric", "diamonds"},
+                                      {"diamond", "diamonds"},
+                                      {"striped", "bands"},
+                                      {"stripes", "bands"},
+                                      {"plaid", "plaid"},
+                                      {"tartan", "plaid"},
+                                      {"checked", "checks"},
+                                      {"checkered", "checks"},
+                                      {"checkerboard", "checks"},
+                                      {"moroccan", "diamonds"},
+                                      {"bordered", "border"}}) {
     if (p.says(word)) return pattern;
   }
   constexpr const char* kPatterns[] = {"bands", "border", "diamonds", "checks"};

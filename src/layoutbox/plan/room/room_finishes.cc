@@ -42,7 +42,7 @@ Finish finish_at(const std::vector<Token>& tokens, std::size_t i) {
 
 // Where it is said to be: "on the back wall", "up the walls", "on the floor".
 struct Where {
-  std::size_t last = 0;  // tokens
+  std::size_t last = 0;                          // tokens
   bool floor = false, all = false, one = false;  // one: "on one wall", whichever
   std::string wall_word;
 };
