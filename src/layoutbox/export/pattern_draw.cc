@@ -157,7 +157,6 @@ Tone flowers(const PatternPlace& p) {
 // Square tiles: a diamond in the middle of each, rings and discs about the corners where four meet.
 Tone rosettes(const PatternPlace& p) {
   const double x = std::abs(p.u - 0.5), y = std::abs(p.v - 0.5), far = std::hypot(0.5 - x, 0.5 - y);
-  if (std::max(x, y) > 0.492) return {0.3, 0.3};
   return {(far < 0.36 && far >= 0.25) || far < 0.14 || x + y < 0.2 ? 1.0 : 0.0, 0};
 }
 
@@ -167,12 +166,10 @@ Tone logs(const PatternPlace& p) {
   return {std::max(1 - step(0.1, 0.6, bulge), 0.5 * grain(p.fine)), 0.6 * (1 - step(0.0, 0.25, bulge))};
 }
 
-// Square tiles made by hand, each of a shade of its own.
 Tone glazed(const PatternPlace& p) {
   const double x = p.u * 4, y = p.v * 4, fx = x - std::floor(x), fy = y - std::floor(y);
   if (std::min({fx, 1 - fx, fy, 1 - fy}) < 1.0 / 40) return {1, 0};
-  const double shade = random(static_cast<int>(x), static_cast<int>(y), 3);
-  return {0.3 * shade, 0.8 * random(static_cast<int>(x), static_cast<int>(y), 5)};
+  return {0, 0.8 * random(static_cast<int>(x), static_cast<int>(y), 5)};
 }
 
 Tone marble(const PatternPlace& p) {

@@ -42,11 +42,11 @@ bool is_like(const Color& color, const Color& banned) {
 
 // Walls of a room whose colours are said: of the lightest of them, far paler; of a pale colour beside white, so that it is seen.
 Color wall_of(const std::vector<Color>& said) {
-  constexpr double kPale = 0.6, kTinged = 0.05;
+  constexpr double kPale = 0.6, kTinged = 0.05, kVivid = 0.35;
   const Color& lightest = *std::ranges::max_element(said, {}, brightness);
   const auto pale = std::ranges::find_if(said, [](const Color& c) { return brightness(c) > kPale && chroma_of(c) > kTinged; });
   const bool tinged = pale != said.end() && chroma_of(lightest) < kTinged;
-  return mixed(tinged ? *pale : lightest, {0.95, 0.94, 0.92}, tinged ? 0.5 : 0.65);
+  return mixed(tinged ? *pale : lightest, {0.95, 0.94, 0.92}, tinged && chroma_of(*pale) < kVivid ? 0.5 : 0.65);
 }
 
 std::vector<Color> calm_colors() { return palette_of(decor_data().at("calm")); }

@@ -83,6 +83,8 @@ TEST(DecorStyles, SchemesOfColoursAreSaidAnywhere) {
   EXPECT_EQ(clinic.woods, std::vector<std::string>{"birch"});
   EXPECT_EQ(room_look("My daughter wants a lavender and white bedroom with a bed.").colors,
             (Colors{color_called("lavender"), color_called("white")}));
+  EXPECT_EQ(room_look("A laundry room. White and pale blue colour scheme, brick on one wall.").colors,
+            (Colors{color_called("white"), color_called("pale blue")}));
   EXPECT_EQ(room_look("A lounge with a palette of terracotta, sand and cream.").colors.size(), 3U);
   EXPECT_EQ(room_look("A study with a desk, decorated in navy and brass.").metal, "brass");
   EXPECT_EQ(room_look("A bedroom with a bed. Only warm colours please.").colors.size(), 5U);

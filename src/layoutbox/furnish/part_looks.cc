@@ -108,12 +108,12 @@ std::size_t named_at(const NamedPart& part, const Clause& text, std::size_t at) 
 }
 
 // The words of the names of the things of a room.
-using Names = std::vector<std::vector<std::string>>;
+using ThingNames = std::vector<std::vector<std::string>>;
 
 bool same_word(const std::string& said, const std::string& word) { return said == word || singular_of(said) == word; }
 
 // The longest of the names whose last word is said at `at`, if its other words are said before it.
-const std::vector<std::string>* name_ending_at(const Names& names, const Clause& text, std::size_t at) {
+const std::vector<std::string>* name_ending_at(const ThingNames& names, const Clause& text, std::size_t at) {
   const std::vector<std::string>* longest = nullptr;
   for (const std::vector<std::string>& name : names) {
     if (name.empty() || name.size() > at + 1 || (longest != nullptr && longest->size() >= name.size())) continue;
@@ -125,7 +125,7 @@ const std::vector<std::string>* name_ending_at(const Names& names, const Clause&
 
 // Whose part it is that is named from `at` to `end`: of the thing right behind it ("marble top coffee table"), else of the one before it
 // that has it ("a coffee table with a marble top and brass legs").
-const std::vector<std::string>* owner_of(const Names& names, const Clause& text, std::size_t at, std::size_t end) {
+const std::vector<std::string>* owner_of(const ThingNames& names, const Clause& text, std::size_t at, std::size_t end) {
   constexpr std::size_t kLongestName = 3;  // words
   for (std::size_t i = end; i < std::min(text.size(), end + kLongestName) && !is_listed(words_of_parts().belongs, text[i]); ++i) {
     if (const auto* name = name_ending_at(names, text, i)) return name;
@@ -153,7 +153,7 @@ std::optional<PartLook> look_around(const Clause& text, std::size_t at, std::siz
   return look;
 }
 
-void add_thing_parts(ThingParts& all, const NamedPart& part, const Names& names, const Clause& text) {
+void add_thing_parts(ThingParts& all, const NamedPart& part, const ThingNames& names, const Clause& text) {
   for (std::size_t at = 0; at < text.size(); ++at) {
     const std::size_t length = named_at(part, text, at);
     const std::optional<PartLook> look = length == 0 ? std::nullopt : look_around(text, at, at + length);
@@ -190,7 +190,7 @@ PartLooks part_looks(std::string_view prompt) {
 
 ThingParts thing_parts(const Layout& layout) {
   ThingParts all;
-  Names names;
+  ThingNames names;
   for (const PlacedObject& object : layout.objects) {
     std::vector<std::string> name = words_of(object.name);
     if (std::ranges::find(names, name) == names.end()) names.push_back(std::move(name));

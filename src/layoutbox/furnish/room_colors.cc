@@ -29,6 +29,10 @@ ColorScheme only_looks(std::string_view text) {
   const std::vector<std::string> words = words_of(text);
   for (std::size_t i = 0; i < words.size(); ++i) {
     std::string word = words[i];
+    if (is_color_word(word)) {
+      two = word;
+      continue;
+    }
     if (i + 1 < words.size() && are_one_look(word + " " + words[i + 1])) word += " " + words[++i];
     const SurfaceWish wish = read_wish(two.empty() ? word : two + " " + word);
     const NamedSurface* stuff = wish.materials.empty() ? nullptr : wish.materials.front();
@@ -38,9 +42,6 @@ ColorScheme only_looks(std::string_view text) {
       scheme.woods.push_back(stuff->surface.name);
     } else if (stuff != nullptr && stuff->kind == "metal") {
       scheme.metal = stuff->surface.name;
-    } else if (is_color_word(word)) {
-      two = word;
-      continue;
     } else {
       return {};
     }

@@ -155,14 +155,7 @@ std::string_view pendant_surface(const Piece& p) {
        {"metal", "brass", "copper", "steel", "iron", "gold", "chrome", "bronze", "industrial", "surgical", "ceramic", "wooden", "rattan"}) {
     if (p.says(hard)) return "painted_metal";
   }
-  return "lampshade";
-}
-
-// Its own colour, else what goes with everything: of metal in a workshop's style, warm white elsewhere. One loud ball spoils a room.
-int pendant_shade(Piece& p) {
-  const std::string_view usual = pendant_surface(p);
-  if (p.color_asked() || usual != "lampshade") return p.main(usual);
-  return p.is_style("industrial") ? p.named("black_metal") : p.named("lampshade");
+  return p.is_style("industrial") ? "black_metal" : "lampshade";
 }
 
 void pendant(Piece& p) {
@@ -179,7 +172,8 @@ void pendant(Piece& p) {
     return;
   }
   const double r = p.w / 2, tall = std::min({0.3, p.h * 0.6, r * 1.3}), k = p.d / p.w;
-  const int metal = p.named("black_metal"), outside = pendant_shade(p);
+  const std::string_view shade = pendant_surface(p);  // of no accent: one loud ball spoils a room
+  const int metal = p.named("black_metal"), outside = p.color_asked() || shade != "lampshade" ? p.main(shade) : p.named(shade);
   if (p.word("kind", "") == "globe" || p.says("globe")) {
     const double ball = std::min(r, p.h * 0.46);
     const bool paper = p.category() == "paper_lantern";
