@@ -39,6 +39,7 @@ enum class KinPlace : std::uint8_t {
   kOnCeiling,     // lamp → ceiling_lamp
   kOnThing,       // of what mostly stands on the floor: plant → small_plant
   kBetweenSeats,  // table → side_table
+  kBetweenSofas,  // table → coffee_table
   kAroundBed,     // curtain_rod → privacy_curtain
   kSetIn,         // let into the top of something: sink → inset_sink
 };

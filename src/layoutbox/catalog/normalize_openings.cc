@@ -67,22 +67,22 @@ class OpeningNormalizer {
 
   // Where the text has its middle; in the middle of its wall; as far off the corner that is named as is said, else a hand's breadth.
   void settle_place(Opening& opening) const {
-    const Mm off = opening.from_corner.value_or(100);
+    const PlaceSaid& said = opening.place;
+    const Mm off = said.from_corner.value_or(100);
     const Wall* wall = opening.wall.empty() || opening.offset ? nullptr : context_.scene.find_wall(opening.wall);
     if (wall == nullptr) return;
     const Mm room = std::max(0, static_cast<Mm>(length_of(*wall)) - opening.width);
     const bool along_x = wall->start.y == wall->end.y, along_y = wall->start.x == wall->end.x;
-    if (const std::optional<Mm> middle = along_x ? opening.middle_x : along_y ? opening.middle_y : std::nullopt) {
+    if (const std::optional<Mm> middle = along_x ? said.x : along_y ? said.y : std::nullopt) {
       const Mm start = along_x ? wall->start.x : wall->start.y;
       opening.offset = std::clamp(std::abs(*middle - start) - opening.width / 2, 0, room) / kGridMm * kGridMm;
       return;
     }
-    if (opening.place.empty()) return;
-    if (opening.place == "middle") {
+    if (said.in_middle) {
       opening.offset = room / 2 / kGridMm * kGridMm;
       return;
     }
-    const auto says = [&](std::string_view word) { return opening.place.find(word) != std::string::npos ? 1 : 0; };
+    const auto says = [&](std::string_view word) { return said.corner.find(word) != std::string::npos ? 1 : 0; };
     const Point along{wall->end.x - wall->start.x, wall->end.y - wall->start.y};
     const double toward = 1.0 * along.x * (says("right") - says("left")) + 1.0 * along.y * (says("back") - says("front"));
     if (toward != 0) opening.offset = toward < 0 ? std::min(off, room) : std::max(0, room - off);

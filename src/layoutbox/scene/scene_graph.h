@@ -57,6 +57,14 @@ struct Wall {
   std::string mesh;
 };
 
+// Where a text has the middle of a thing, or a door or window along its wall. Not in files: normalize_scene sets an opening's offset by it.
+struct PlaceSaid {
+  bool in_middle = false;           // of its wall
+  std::string corner{};             // … or near the corner that is so called ("left", "back right")
+  std::optional<Mm> from_corner{};  // … so far off it; empty: a hand's breadth
+  std::optional<Mm> x{}, y{};       // its middle, from the room's left and from its front
+};
+
 struct Opening {
   std::string id;
   OpeningType type = OpeningType::kDoor;
@@ -67,12 +75,8 @@ struct Opening {
   Swing swing = Swing::kInLeft;
   Origin origin = Origin::kAsked;         // else it is the first to be moved or narrowed
   std::vector<std::string> attributes{};  // what the text says of its look: "french", "round", "red" (catalog/words_openings.json)
-  // Where along its wall the text has it: "middle", or the corner it is near ("left", "back right"); normalize_scene sets the offset by it.
-  // Not in files.
-  std::string place{};
-  std::optional<Mm> from_corner{};           // how far it is off that corner. Not in files.
-  std::optional<Mm> middle_x{}, middle_y{};  // where the text has its middle: normalize_scene takes that along its wall. Not in files.
-  std::string called{};                      // what the text calls it ("front door"). Not in files.
+  PlaceSaid place{};
+  std::string called{};  // what the text calls it ("front door"). Not in files.
   bool asked() const { return origin == Origin::kAsked; }
 };
 

@@ -90,8 +90,9 @@ class RoomPeople {
     return named.is(Trait::kTable) && !named.is(Trait::kDeskLike) && catalog_.is_a(needed.id, named.id);
   }
 
-  // The first mention of things like that, or -1: any desk for a desk, any bed for a bed.
+  // The first mention of things like that, rather of several ("a high chair and five chairs"), or -1: any desk for a desk, any bed for a bed.
   int named(const CatalogEntry& kind) const {
+    int first = -1;
     for (std::size_t m = 0; m < document_.mentions.size(); ++m) {
       const Mention& one = document_.mentions[m];
       if (!one.introduces || one.noun.kind != NounKind::kObject) continue;
@@ -104,9 +105,12 @@ class RoomPeople {
       if (entry != nullptr && entry->is(Trait::kOpenToRoom) && !kind.is(Trait::kOpenToRoom)) continue;
       const bool rows = one.noun.rows > 0 && is_seat(catalog_, one.noun);  // "two rows of recliners" for whom a cinema is
       const bool seats = rows || (kind.is(Trait::kChair) && one_of(one.noun.head, WordSet::kUprightSeats));
-      if (both(Trait::kBed) || tables || seats || (entry != nullptr && catalog_.is_a(entry->id, kind.id))) return static_cast<int>(m);
+      if (both(Trait::kBed) || tables || seats || (entry != nullptr && catalog_.is_a(entry->id, kind.id))) {
+        if (one.items.size() > 1 || one.noun.plural) return static_cast<int>(m);
+        if (first < 0) first = static_cast<int>(m);
+      }
     }
-    return -1;
+    return first;
   }
 
   // "tables with six chairs each": these chairs, and how many of them are at one; -1 and 0: nothing is said.

@@ -141,17 +141,20 @@ void settle_forward_names(Document& document) {
   const auto is_called = [&](std::size_t c, const NounPhrase& noun) { return is_thing(chunks[c]) && chunks[c].noun.head == noun.head; };
   for (std::size_t k = 1; k < chunks.size() && !is_set(document.stop); ++k) {
     NounPhrase& known = chunks[k].noun;
-    const bool plain = is_thing(chunks[k]) && known.determiner == Determiner::kDefinite && known.name == known.head && !known.is_plural() &&
+    // "the way between bed and door. A double bed …", where articles are left out
+    const bool spoken_of = known.determiner == Determiner::kDefinite || known.determiner == Determiner::kNone;
+    const bool plain = is_thing(chunks[k]) && spoken_of && known.name == known.head && !known.is_plural() &&
                        known.attributes.empty() && known.count == 0 && known.ordinal == 0 && !known.of;
     if (!plain || chunks[k - 1].kind != ChunkKind::kRelation) continue;
     std::size_t before = 0;
     while (before < k && !is_called(before, known)) ++before;
     std::size_t later = k + 1;
-    while (later < std::min(chunks.size(), k + kAhead) && !is_called(later, known)) ++later;
+    const auto is_place_by = [&](std::size_t c) { return chunks[c - 1].kind == ChunkKind::kRelation; };  // spoken of once more
+    while (later < std::min(chunks.size(), k + kAhead) && (!is_called(later, known) || is_place_by(later))) ++later;
     if (before < k || later >= std::min(chunks.size(), k + kAhead)) continue;
     NounPhrase& named = chunks[later].noun;
     const bool brings = named.determiner == Determiner::kNone || named.determiner == Determiner::kIndefinite;
-    if (!brings || named.is_plural() || named.count > 1 || later < 2 || chunks[later - 1].kind == ChunkKind::kRelation) continue;
+    if (!brings || named.is_plural() || named.count > 1 || later < 2) continue;
     known.entry = named.entry;
     known.exact = named.exact;
     known.category = named.category;

@@ -153,11 +153,14 @@ bool Chunker::read_distance() {
   return true;
 }
 
-// "85 cm free in front of the toilet", "2 m clear before and behind the saw": floor that is kept free, at those sides of what comes next.
+// "85 cm free in front of the toilet", "2 m clear before and behind the saw", "1.5 m of turning space before the bed": floor that is kept
+// free, at those sides of what comes next.
 bool Chunker::read_kept_free(std::size_t at, double metres) {
-  if (at >= tokens_.size() || !one_of(tokens_[at].text, {"free", "clear", "open", "empty"})) return false;
-  while (++at < tokens_.size() && one_of(tokens_[at].text, {"floor", "space", "room"})) {
-  }
+  if (at < tokens_.size() && tokens_[at].text == "of") ++at;
+  const std::size_t said = at;
+  while (at < tokens_.size() && one_of(tokens_[at].text, WordSet::kKeptFree)) ++at;
+  if (at == said) return false;
+  while (at < tokens_.size() && one_of(tokens_[at].text, {"floor", "space", "room", "circle", "radius"})) ++at;
   const PhraseMatch phrase = at < tokens_.size() ? lexicon_.find_phrase(tokens_, at) : PhraseMatch{};
   if (phrase.length == 0) return false;
   static const PhraseSenses kFront = direct_senses<RelationType::kInFrontOf>(), kBack = direct_senses<RelationType::kBehind>();

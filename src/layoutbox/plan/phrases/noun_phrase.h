@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "layoutbox/plan/words/lexicon.h"
+#include "layoutbox/scene/scene_graph.h"
 
 namespace layoutbox::offline {
 
@@ -73,11 +74,8 @@ struct NounPhrase {
   bool collective = false;            // "items", "essentials": things where something holds them
   bool niche = false;                 // an alcove, a notch: a part of the room's outline
   std::string wall_word;              // left, right, back, front
-  bool in_middle = false;             // of a door or window: in the middle of that wall
-  std::string near_corner;            // … or at its end towards that wall
-  std::optional<double> from_corner;  // … so far off it, metres
   std::optional<double> sill;         // of a window: how high, metres
-  std::optional<double> at_x, at_y;   // its middle, metres from the room's left and from its front wall
+  PlaceSaid place;                    // in figures, or of a door or window along that wall
   std::string wall_relation;          // opposite, other, adjacent, same
   SaidSize size;
   std::optional<double> hangs_at;         // "a shelf at 1.2 m": metres above the floor

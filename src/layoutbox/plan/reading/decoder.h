@@ -218,6 +218,7 @@ class Decoder {
                                 const NounPhrase* noun) const;
   bool is_over_or_under(const State& state, Referent one, Referent other) const;
   double apart_score(const State& state, Referent referent, Referent subject, const PhraseSenses& senses) const;
+  bool is_low_and_small(const NounPhrase& noun) const;
   double standing_score(const State& state, Referent referent, Referent subject, const PhraseSenses& senses) const;
   bool is_of_one_group(const State& state, Referent group, Referent subject, const NounPhrase* noun) const;
   int things_of(const State& state, Referent referent, bool list) const;

@@ -101,6 +101,15 @@ double Decoder::apart_score(const State& state, Referent referent, Referent subj
   return carried || is_over_or_under(state, referent, subject) ? weight::kUnlikely : 0;
 }
 
+// A basket, a bin: on the floor, and neither a table nor a seat.
+bool Decoder::is_low_and_small(const NounPhrase& noun) const {
+  constexpr Mm kHigh = 600, kWide = 600;
+  const Catalog& catalog = lexicon_.catalog();
+  if (noun.entry == nullptr || mount_of(noun) != Mount::kFloor || is_table(catalog, noun) || is_seat(catalog, noun)) return false;
+  const Size& size = noun.entry->size.usual;
+  return size.height <= kHigh && size.width <= kWide && size.depth <= kWide && !noun.entry->thin;
+}
+
 // … by whether the two stand, lie or hang.
 double Decoder::standing_score(const State& state, Referent referent, Referent subject, const PhraseSenses& senses) const {
   const NounPhrase &target = noun_of(state, subject), &meant = noun_of(state, referent);
@@ -117,6 +126,9 @@ double Decoder::standing_score(const State& state, Referent referent, Referent s
   // "A bar lies on the rack, and weights lean against it": against the rack
   if (mount_of(target) == Mount::kFloor && !lies && mount_of(meant) == Mount::kSurface && is_carried(state, referent))
     score += weight::kNotBeside;
+  // "a stove, a basket beside it, a sofa across from it": nobody sits to look at a basket
+  const bool looks = says(senses, RelationType::kOpposite) || says(senses, RelationType::kFacing);
+  if (looks && is_seat(lexicon_.catalog(), target) && is_low_and_small(meant)) score += weight::kNotBeside;
   // "a sofa, over which a map hangs, …; a table in front of it": of the sofa.
   const bool before = says(senses, RelationType::kInFrontOf) || says(senses, RelationType::kBehind);
   const bool looked_into = meant.entry != nullptr && meant.entry->is(Trait::kMirror);

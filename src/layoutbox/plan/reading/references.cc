@@ -198,6 +198,15 @@ void References::mean_own_shelf(Mention& mention) const {
   last([&](const NounPhrase& host) { return is_table(lexicon_.catalog(), host); });
 }
 
+// "… and one computer, and computer is on the right": who writes no articles says more of it.
+bool References::is_said_again(const NounPhrase& noun) const {
+  const std::size_t next = noun.last;
+  if (noun.determiner != Determiner::kNone || noun.count != 0 || noun.plural || !noun.attributes.empty()) return false;
+  if (next >= document_.tokens.size() || !lexicon_.is(document_.tokens[next], WordClass::kBe)) return false;
+  const std::vector<int> before = known(noun);
+  return before.size() == 1 && document_.items[static_cast<std::size_t>(before.front())].noun.name == noun.name;
+}
+
 void References::mean_object(Mention& mention, bool as_reference, bool of_known) {
   const NounPhrase& noun = mention.noun;
   const bool bare = noun.determiner == Determiner::kNone;
@@ -205,7 +214,7 @@ void References::mean_object(Mention& mention, bool as_reference, bool of_known)
                         noun.determiner == Determiner::kBoth || noun.determiner == Determiner::kEach ||
                         noun.determiner == Determiner::kOther ||
                         // "lamp on nightstand", where articles are left out
-                        (as_reference && bare && noun.count == 0 && !noun.plural);
+                        (as_reference && bare && noun.count == 0 && !noun.plural) || is_said_again(noun);
   if (as_reference) mention.items = whose_shelf(noun);
   if (!mention.items.empty()) return;
   // "a washing machine and a dryer … above the two machines"

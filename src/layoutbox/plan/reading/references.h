@@ -52,6 +52,7 @@ class References {
   void mean_part(Mention& mention, int antecedent);
   void mean_everything(Mention& mention) const;
   void mean_object(Mention& mention, bool as_reference, bool of_known);
+  bool is_said_again(const NounPhrase& noun) const;
   void mean_known(Mention& mention);
   void mean_one_of_known(Mention& mention);
   bool carry_their_own(const std::vector<int>& items) const;

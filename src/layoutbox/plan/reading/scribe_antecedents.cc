@@ -154,6 +154,9 @@ int Scribe::each_of_openings(int u, const NounPhrase& noun) {
 // A rug under a seating area lies under the low table in its middle.
 int Scribe::thing_of_zone(int u, const NounPhrase& noun) const {
   if (!is_zone(noun.head) || noun.determiner != Determiner::kDefinite) return -1;
+  for (std::size_t i = noun.first; i < noun.last; ++i) {
+    if (one_of(document_.tokens[i].text, WordSet::kFree)) return -1;  // "in the free area": wherever that is
+  }
   const std::string words = words_between(document_, noun.first, noun.last);
   int seat = -1, sofa = -1, named = -1, low_table = -1;
   for (std::size_t m = document_.mentions.size(); m-- > 0;) {

@@ -77,6 +77,15 @@ void Scribe::grow_for_reference(int index, int mention, bool both) {
         grow_for_each(target, mention);
     }
   }
+  // "candles and mugs on all the tables": on each of them.
+  const std::size_t last_word = noun.first > 0 && document_.tokens[noun.first].text != "all" ? noun.first - 1 : noun.first;
+  if (noun.is_plural() && document_.tokens[last_word].text == "all" && says(link.senses, RelationType::kOn)) {
+    for (const int target : targets) {
+      const NounPhrase& thing = noun_of(target);
+      if (mention_at(target).introduces && thing.plural && thing.count == 0)
+        references_.grow(target, std::max(mention_at(target).items.size(), mention_at(mention).items.size()));
+    }
+  }
   // "a lamp on both nightstands", "on either one": one on each.
   if (both && says(link.senses, RelationType::kOn) && mention_at(mention).items.size() > 1) {
     for (const int target : targets) {

@@ -63,8 +63,10 @@ bool UnitReader::is_where_somebody_is(const NounPhrase& noun) const {
 
 // "my room in the shared flat", "the kitchen of our house": says where the room is that was spoken of before it.
 bool UnitReader::is_home_of_room(const NounPhrase& noun) const {
-  return !document_.rooms.empty() && noun.first > 0 && one_of(document_.tokens[noun.first - 1].text, {"in", "of", "at"}) &&
-         one_of(noun.head, WordSet::kDwellings);
+  if (noun.first == 0) return false;
+  const std::string& before = document_.tokens[noun.first - 1].text;
+  if (before == "off" && noun.determiner == Determiner::kDefinite) return true;  // "off the main hall, the pantry …"
+  return !document_.rooms.empty() && one_of(before, {"in", "of", "at"}) && one_of(noun.head, WordSet::kDwellings);
 }
 
 // A room that the text names: the one that is wished for, or, where no other is named, the one where somebody works.

@@ -128,6 +128,16 @@ bool UnitReader::purpose_ends_before_verb(bool comma, std::size_t n) const {
          is(n, ChunkKind::kThere) || is(n, ChunkKind::kVerb);
 }
 
+// "for the listener", right before chunk k.
+bool UnitReader::is_for_somebody(std::size_t k) const {
+  const std::size_t who = previous(k);
+  if (!is(who, ChunkKind::kNoun) || chunk(who).first == 0) return false;
+  const NounPhrase& noun = chunk(who).noun;
+  const bool named = noun.determiner == Determiner::kDefinite || noun.determiner == Determiner::kPossessive;
+  const bool person = lexicon_.is_person(noun.head) || word_form(noun.head) == WordForm::kPerson || (named && !noun.exact);
+  return document_.tokens[noun.first - 1].text == "for" && person;
+}
+
 // The break at chunk k, before chunk n, ends a purpose: what follows is said of the room again.
 bool UnitReader::purpose_ends(std::size_t k, std::size_t n) const {
   const bool comma = is(k, ChunkKind::kComma);
@@ -152,6 +162,8 @@ bool UnitReader::purpose_ends(std::size_t k, std::size_t n) const {
   if (noun.determiner == Determiner::kDefinite || noun.kind == NounKind::kMember) return true;
   // In a list without articles the next bare thing goes on with it: "bed for guests, desk, lamp".
   if (is_bare_list() && thing) return true;
+  // "an armchair for the listener, thick rug and lamps": whom it is for is all of the purpose
+  if (thing && noun.exact && is_for_somebody(k)) return true;
   // "for 24 children, tables in groups of four": furniture, after a purpose that names none
   if (thing && noun.exact && mount_of(noun) == Mount::kFloor && !names_furniture_before(k)) return true;
   // "to be used as an office: sofa bed, desk, …"

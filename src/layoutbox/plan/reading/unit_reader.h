@@ -45,6 +45,7 @@ class UnitReader {
   bool wishes_to(std::size_t k);
   bool gives_reason(std::size_t k);
   bool brings_each(std::size_t k);
+  bool is_for_somebody(std::size_t k) const;
   bool names_furniture_before(std::size_t k) const;
   bool purpose_ends_before_verb(bool comma, std::size_t n) const;
   bool purpose_ends(std::size_t k, std::size_t n) const;

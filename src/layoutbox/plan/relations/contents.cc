@@ -1,6 +1,7 @@
 // What a thing has, and what hangs.
 #include <algorithm>
 
+#include "layoutbox/catalog/kin.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/phrases/knowledge.h"
 #include "layoutbox/plan/relations/relation_builder_parts.h"
@@ -131,7 +132,7 @@ void RelationBuilder::add_contents(const Link& link) {
 void RelationBuilder::add_hung_content(const Link& link, const Mention& target, const std::vector<int>& hosts) {
   const NounPhrase &host = noun_of_item(hosts.front()), &thing = target.noun;
   const auto is_host = [&](const std::string& kind) { return host.entry != nullptr && catalog_.is_a(host.entry->id, kind); };
-  if (thing.entry != nullptr && std::ranges::any_of(thing.entry->stands_on, is_host)) return share_out(link, R::kIn, target.items, hosts);
+  if (thing.entry != nullptr && std::ranges::any_of(thing.entry->stands_on, is_host)) return share_out(link, has_inside(host) ? R::kIn : R::kOn, target.items, hosts);  // "an easel with a canvas"
   // "a nightstand with a clock": such a thing has a kind that stands there
   const auto small_kind = [&](const CatalogEntry& kind) {
     return kind.mount == Mount::kSurface && catalog_.is_a(kind.id, thing.entry->id) && std::ranges::any_of(kind.stands_on, is_host);
@@ -162,7 +163,10 @@ void RelationBuilder::add_content(const Link& link, const Mention& target, const
   const bool great = thing.entry != nullptr && thing.entry->back_to_wall;  // a wardrobe
   // "a table crowded with bottles and an alembic": whatever it is, a table's top has it.
   const bool on_table = is_table(catalog_, host) && !is_table(catalog_, thing) && mount == Mount::kFloor && !joined && !great;
-  const bool carried = may_carry(catalog_, host, thing) || (link.holding && (shows(link) || on_table)) ||
+  // "a big table with potted plants and vases"
+  const bool small = is_table(catalog_, host) && target.items.size() > 1 && thing.entry != nullptr &&
+                     kind_at(catalog_, thing.entry->id, KinPlace::kOnThing) != nullptr;
+  const bool carried = small || may_carry(catalog_, host, thing) || (link.holding && (shows(link) || on_table)) ||
                        (says_inside(link) && has_inside(host) && !is_heavy(catalog_, thing));
   if (joined && mount == Mount::kSurface && mount_of(host) == Mount::kSurface) return each(R::kNextTo);
   // "an armchair with a lamp": beside it.
@@ -196,6 +200,9 @@ void RelationBuilder::add_standing_content(const Link& link, const Mention& targ
   if (before) return share_out(link, R::kInFrontOf, target.items, hosts);
   if (target.items.size() == 2 && hosts.size() == 1 && mount_of(thing) == Mount::kFloor)
     return add(link, R::kEachSideOf, ids(target.items), {id(hosts.front())});
+  // "two chairs facing each other with a small table": between them
+  if (hosts.size() == 2 && sat_on && is_table(catalog_, thing) && target.items.size() == 1)
+    return add(link, R::kBetween, ids(target.items), ids(hosts));
   share_out(link, R::kNextTo, target.items, hosts);
 }
 

@@ -106,39 +106,6 @@ void RelationBuilder::leave_middle_to_rows() {
   }
 }
 
-// "two recliners side by side, a little table between them": as near as the table lets them be; a plain table between easy seats is small.
-void RelationBuilder::make_room_between() {
-  std::vector<std::pair<std::string, std::string>> in_reach;  // seat and table
-  for (const Relation& between : scene_.relations) {
-    if (between.type != R::kBetween || between.references.size() != 2 || between.targets.size() != 1) continue;
-    const auto middle = std::ranges::find(scene_.objects, between.targets[0], &SceneObject::id);
-    if (middle == scene_.objects.end()) continue;
-    const NounPhrase& thing = noun_of_object(*middle);
-    if (thing.entry == nullptr || mount_of(thing) != Mount::kFloor) continue;
-    const CatalogEntry* small = kind_at(catalog_, thing.entry->id, KinPlace::kBetweenSeats);
-    const bool easy = std::ranges::all_of(between.references, [&](const std::string& id) {
-      const SceneObject* seat = object_of(id);
-      const CatalogEntry* entry = seat == nullptr ? nullptr : noun_of_object(*seat).entry;
-      return entry != nullptr && entry->is(Trait::kEasySeat);
-    });
-    if (easy && small != nullptr && thing.exact && !thing.size.any()) middle->category = small->id;
-    for (std::size_t s = 0; easy && s < 2; ++s) in_reach.emplace_back(between.references[s], between.targets[0]);
-    const CatalogEntry* kind = catalog_.find(middle->category);
-    const Mm width = (kind != nullptr ? kind : thing.entry)->size.usual.width;
-    std::vector<std::size_t> of_both = relations_of(between.references[0]);
-    of_both.insert(of_both.end(), relations_of(between.references[1]).begin(), relations_of(between.references[1]).end());
-    for (const std::size_t r : of_both) {
-      Relation& beside = scene_.relations[r];
-      const bool of_pair = beside.type == R::kNextTo && beside.targets.size() == 1 && beside.references.size() == 1 &&
-                           std::ranges::find(between.references, beside.targets[0]) != between.references.end() &&
-                           std::ranges::find(between.references, beside.references[0]) != between.references.end();
-      constexpr Mm kAir = 300, kUsualMost = 500;  // of what is next to something
-      if (of_pair && !beside.parameters.max && width + kAir > kUsualMost) beside.parameters.max = width + kAir;
-    }
-  }
-  seat_in_reach(in_reach);
-}
-
 void RelationBuilder::settle_on_wall(SceneObject& object, const NounPhrase& noun) {
   object.mount = Mount::kWall;
   const CatalogEntry* on_wall = wall_kind(noun);

@@ -1,6 +1,8 @@
 // What stands between, and what the things on either side of it are.
 #include <algorithm>
 
+#include "layoutbox/catalog/kin.h"
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/phrases/knowledge.h"
 #include "layoutbox/plan/phrases/reader_words.h"
 #include "layoutbox/plan/relations/relation_builder_parts.h"
@@ -60,6 +62,7 @@ std::vector<int> RelationBuilder::parted_by(const Link& link) const {
   if (at == document_.links.end()) return others;
   while (at != document_.links.begin() && (&*at == &link || at->kind == Link::Kind::kHave)) --at;
   const Link& before = *at;
+  if (one.items.size() > 1 && one.noun.first >= before.last) return others;  // "a TV on a stand, two armchairs with a lamp between"
   const auto is_thing = [&](const std::vector<int>& said_of) { return said_of.size() == 1 && mention(said_of[0]).items.size() == 1; };
   const bool pair = before.kind == Link::Kind::kRelation && is_thing(before.targets) && is_thing(before.references);
   if (!pair || before.targets[0] == link.targets[0] || before.references[0] == link.targets[0]) return others;
@@ -115,6 +118,47 @@ void RelationBuilder::add_between(const Link& link, const std::vector<int>& targ
       else
         add(link, R::kBetween, {id(target)}, pair);
     }
+  }
+}
+
+// "two recliners side by side, a little table between them": as near as the table lets them be; a plain table between easy seats is small.
+void RelationBuilder::make_room_between() {
+  std::vector<std::pair<std::string, std::string>> in_reach, at_sofas;  // seat and table
+  for (const Relation& between : scene_.relations) {
+    if (between.type != R::kBetween || between.references.size() != 2 || between.targets.size() != 1) continue;
+    const auto middle = std::ranges::find(scene_.objects, between.targets[0], &SceneObject::id);
+    if (middle == scene_.objects.end()) continue;
+    const NounPhrase& thing = noun_of_object(*middle);
+    if (thing.entry == nullptr || mount_of(thing) != Mount::kFloor) continue;
+    const auto are_all = [&](Trait trait, Trait but) {
+      return std::ranges::all_of(between.references, [&](const std::string& id) {
+        const SceneObject* seat = object_of(id);
+        const CatalogEntry* entry = seat == nullptr ? nullptr : noun_of_object(*seat).entry;
+        return entry != nullptr && entry->is(trait) && !entry->is(but);
+      });
+    };
+    const bool sofas = are_all(Trait::kCenterPiece, Trait::kBed), easy = sofas || are_all(Trait::kEasySeat, Trait::kBed);
+    const CatalogEntry* small = kind_at(catalog_, thing.entry->id, sofas ? KinPlace::kBetweenSofas : KinPlace::kBetweenSeats);
+    if (easy && small != nullptr && thing.exact && !thing.size.any()) middle->category = small->id;
+    for (std::size_t s = 0; easy && s < 2; ++s) (sofas ? at_sofas : in_reach).emplace_back(between.references[s], between.targets[0]);
+    const CatalogEntry* kind = catalog_.find(middle->category);
+    const Mm width = (kind != nullptr ? kind : thing.entry)->size.usual.width;
+    std::vector<std::size_t> of_both = relations_of(between.references[0]);
+    of_both.insert(of_both.end(), relations_of(between.references[1]).begin(), relations_of(between.references[1]).end());
+    for (const std::size_t r : of_both) {
+      Relation& beside = scene_.relations[r];
+      const bool of_pair = beside.type == R::kNextTo && beside.targets.size() == 1 && beside.references.size() == 1 &&
+                           std::ranges::find(between.references, beside.targets[0]) != between.references.end() &&
+                           std::ranges::find(between.references, beside.references[0]) != between.references.end();
+      constexpr Mm kAir = 300, kUsualMost = 500;  // of what is next to something
+      if (of_pair && !beside.parameters.max && width + kAir > kUsualMost) beside.parameters.max = width + kAir;
+    }
+  }
+  seat_in_reach(in_reach);
+  for (const auto& [sofa, table] : at_sofas) {
+    add_habit(R::kNextTo, {sofa}, {table}, kTogether, "a table between two sofas is in reach of both");
+    scene_.relations.back().hard = true;
+    scene_.relations.back().origin = Origin::kConcluded;
   }
 }
 

@@ -63,6 +63,7 @@ void RelationBuilder::run() {
   fill_whole_walls();
   leave_middle_to_rows();
   make_room_between();
+  place_on_tops();
   stand_in_corners();
   sit_off_the_fire();
   leave_corners_to_servers();
@@ -305,12 +306,12 @@ void RelationBuilder::set_heights() {
 void RelationBuilder::set_coordinates() {
   for (std::size_t i = 0; i < document_.items.size() && i < scene_.objects.size(); ++i) {
     const NounPhrase& noun = document_.items[i].noun;
-    for (const auto& [metres, wall] : {std::pair{noun.at_x, "left"}, {noun.at_y, "front"}}) {
-      if (!metres) continue;
+    for (const auto& [off, wall] : {std::pair{noun.place.x, "left"}, {noun.place.y, "front"}}) {
+      if (!off) continue;
       Link link;
       link.first = noun.first, link.last = noun.last;
       add(link, R::kOffset, {scene_.objects[i].id}, {wall});
-      scene_.relations.back().parameters.distance = mm_from_m(*metres);
+      scene_.relations.back().parameters.distance = *off;
       scene_.relations.back().parameters.edge = Edge::kCenter;
     }
   }

@@ -32,6 +32,7 @@ class RelationBuilder : private RelationWriter {
   std::vector<std::string> opening_ids(const NounPhrase& noun) const;
   void complete_counters();
   void place_host_of(const Link& have);
+  int standing_before(int m) const;
   void place_hosts();
   void place_before_walls();
   void let_into_tops();
@@ -91,6 +92,7 @@ class RelationBuilder : private RelationWriter {
   void add_single(const Link& link, PhraseSense sense, const Mention& target, const std::vector<int>& references, const Mention* place);
   std::string wall_behind(int item) const;
   void stand_in_corners();
+  void place_on_tops();
   void sit_off_the_fire();
   void leave_corners_to_servers();
   void add_in_leg(const Link& link, const Mention& target, const NounPhrase& place);
@@ -230,6 +232,8 @@ class RelationBuilder : private RelationWriter {
   void seat_in_windows();
   void sit_in_u();
   void sit_across_table();
+  void leave_room_to_serve();
+  void sit_at_windows();
   void park_cars();
   void sit_before_mirrors();
   void stand_under_counters();

@@ -271,6 +271,8 @@ void RelationBuilder::add_habits() {
   seat_in_windows();
   sit_in_u();
   sit_across_table();
+  leave_room_to_serve();
+  sit_at_windows();
   park_cars();
   sit_before_mirrors();
   stand_under_counters();

@@ -12,6 +12,15 @@ namespace layoutbox::offline {
 
 using R = RelationType;
 
+// The last thing named before that one that stands on the floor, or -1.
+int RelationBuilder::standing_before(int m) const {
+  while (m-- > 0) {
+    const Mention& thing = mention(m);
+    if (thing.introduces && thing.items.size() == 1 && mount_of(thing.noun) == Mount::kFloor) return m;
+  }
+  return -1;
+}
+
 // "a table with four chairs in the middle": what is said there of the place of the chairs is said of the table that has them.
 void RelationBuilder::place_host_of(const Link& have) {
   if (have.kind != Link::Kind::kHave || have.after_comma || have.references.size() != 1 || have.targets.empty()) return;
@@ -25,21 +34,30 @@ void RelationBuilder::place_host_of(const Link& have) {
   const Mention& thing = mention(last);
   if (thing.items.empty() || !thing.introduces) return;
   // "a cabinet with a TV opposite the sofa": the cabinet, with the TV on it.
-  const bool carried = mount_of(noun) == Mount::kFloor && mount_of(other) == Mount::kSurface && may_carry(catalog_, noun, other);
+  // "an easel with a canvas near the window"
+  const auto is_host = [&](const std::string& kind) { return noun.entry != nullptr && catalog_.is_a(noun.entry->id, kind); };
+  const bool set_on = other.entry != nullptr && std::ranges::any_of(other.entry->stands_on, is_host);
+  const bool lies = mount_of(other) == Mount::kSurface && may_carry(catalog_, noun, other);
+  const bool carried = mount_of(noun) == Mount::kFloor && (lies || set_on);
+  // "a bench with baskets under the window": below it or on it
+  const auto area = [](const NounPhrase& one) {
+    return one.entry == nullptr ? 0 : std::int64_t{one.entry->size.usual.width} * one.entry->size.usual.depth;
+  };
+  const bool kept = !list && !seats && !carried && mount_of(noun) == Mount::kFloor && mount_of(other) == Mount::kFloor && 2 * area(other) < area(noun);
   // "a dressing table with a mirror under the window"
-  const bool hung = !list && mount_of(other) == Mount::kWall && mount_of(noun) == Mount::kFloor;
+  const bool hung = !list && !carried && mount_of(other) == Mount::kWall && mount_of(noun) == Mount::kFloor;
   // "a piano with its stool by the window"
   const bool own = !list && thing.noun.determiner == Determiner::kPossessive && mount_of(noun) == Mount::kFloor;
-  if (list ? !carried : !seats && !flanks(other, noun) && !carried && !hung && !own) return;
+  if (list ? !carried : !seats && !flanks(other, noun) && !carried && !hung && !own && !kept) return;
   const auto stands = [&](int r) {
     const Mention& by = mention(r);
     if (own && by.items != host.items) return true;
-    if (hung && by.noun.kind != NounKind::kWindow) return false;
+    if ((hung || (kept && !own)) && by.noun.kind != NounKind::kWindow) return false;
     return by.items.empty() || (carried && !list && by.items != host.items && mount_of(noun_of_item(by.items.front())) == Mount::kFloor);
   };
   const auto is_place = [&](const Link& link, int target) {
     const bool rests = carried && (says(link.senses, &RelationTraits::rests) || says(link.senses, R::kCenterOfRoom));
-    if (hung && !says(link.senses, R::kUnderWindow)) return false;
+    if ((hung || (kept && !own)) && !says(link.senses, R::kUnderWindow)) return false;
     return link.kind == Link::Kind::kRelation && link.targets == std::vector<int>{target} && !rests &&
            std::all_of(link.references.begin(), link.references.end(), stands);
   };
@@ -47,6 +65,11 @@ void RelationBuilder::place_host_of(const Link& have) {
                                   [&](const Link& link) { return is_place(link, have.references.front()); });
   for (Link& link : document_.links) {
     const bool follows = link.first >= thing.noun.last && link.first <= thing.noun.last + 1;
+    // "a sofa bed, a desk with a chair across from it": the desk, across from what was named before
+    const bool from_it = seats && !placed && follows && link.targets == std::vector<int>{last} && says(link.senses, R::kOpposite) &&
+                         link.references.size() == 1 && mention(link.references[0]).items == host.items;
+    const int before = from_it ? standing_before(have.references.front()) : -1;
+    if (before >= 0) link.targets = have.references, link.references = {before};
     if (!placed && follows && is_place(link, last)) link.targets = have.references;
   }
 }

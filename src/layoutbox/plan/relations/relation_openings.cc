@@ -88,6 +88,22 @@ void RelationBuilder::stand_at_wall_across(const std::string& opening, const std
   });
 }
 
+// "Four armchairs face the window", "stools looking out of the window", and nothing else: they are by it.
+void RelationBuilder::sit_at_windows() {
+  const std::size_t said = scene_.relations.size();
+  for (std::size_t r = 0; r < said; ++r) {
+    const Relation looks = scene_.relations[r];
+    if (looks.type != R::kFacing || !looks.asked() || looks.targets.size() != 1 || looks.references.size() != 1) continue;
+    const bool window = looks.references[0].starts_with(name_of(OpeningType::kWindow));  // there or still to come
+    const SceneObject* seat = object_of(looks.targets[0]);
+    if (!window || seat == nullptr || !is_seat(catalog_, noun_of_object(*seat))) continue;
+    const bool placed = std::ranges::any_of(relations_of(seat->id), [&](std::size_t o) {
+      return !traits_of(scene_.relations[o].type).turns && scene_.relations[o].type != R::kRow;
+    });
+    if (!placed) add_habit(R::kNear, {seat->id}, looks.references, kTogether, "who looks out sits by the window");
+  }
+}
+
 bool RelationBuilder::stands_at_walls(const NounPhrase& noun) const {
   return mount_of(noun) == Mount::kWall || (mount_of(noun) == Mount::kFloor && noun.entry != nullptr && noun.entry->back_to_wall);
 }

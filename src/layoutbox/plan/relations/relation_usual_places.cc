@@ -100,6 +100,25 @@ void RelationBuilder::stand_under_counters() {
   }
 }
 
+// "A counter along the back wall, a chair behind it": as far off the wall as who serves there needs, and who sits there looks over it.
+void RelationBuilder::leave_room_to_serve() {
+  constexpr Mm kToPass = 700;
+  const std::size_t said = scene_.relations.size();
+  for (std::size_t r = 0; r < said; ++r) {
+    const Relation behind = scene_.relations[r];
+    if (behind.type != R::kBehind || behind.targets.size() != 1 || behind.references.size() != 1) continue;
+    const SceneObject *thing = object_of(behind.targets[0]), *counter = object_of(behind.references[0]);
+    if (thing == nullptr || counter == nullptr || mount_of(noun_of_object(*thing)) != Mount::kFloor) continue;
+    const CatalogEntry &own = catalog_.entry_or_nearest(thing->category), &served = catalog_.entry_or_nearest(counter->category);
+    if (std::ranges::find(served.used_sides, Side::kBack) == served.used_sides.end()) continue;
+    for (Relation& wall : scene_.relations) {
+      if (wall.type == R::kAgainstWall && wall.targets == behind.references) wall.parameters.gap = own.size.usual.depth + kToPass;
+    }
+    const bool looks = std::ranges::any_of(relations_of(thing->id), [&](std::size_t t) { return traits_of(scene_.relations[t].type).turns; });
+    if (own.is(Trait::kSeat) && !looks) add_habit(R::kFacing, {thing->id}, {counter->id}, kTogether, "who serves looks over the counter");
+  }
+}
+
 // Cars stand nose to the garage door, side by side.
 void RelationBuilder::park_cars() {
   const auto door = std::ranges::find_if(scene_.room.openings, [](const Opening& o) {

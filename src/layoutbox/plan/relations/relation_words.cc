@@ -47,6 +47,11 @@ bool RelationWords::end_with(const Relation& relation, std::string_view word) co
   return place.first < place.last && tokens_[place.last - 1].text == word;
 }
 
+bool RelationWords::are_before(const Relation& relation, std::size_t token) const {
+  const Place place = place_of(relation);
+  return place.first < place.last && place.last <= token;
+}
+
 bool RelationWords::are_without_reference(const Relation& relation) const { return place_of(relation).implied; }
 
 bool RelationWords::are_one(const Relation& one, const Relation& other) const {

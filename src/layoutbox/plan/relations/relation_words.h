@@ -25,6 +25,8 @@ class RelationWords {
   bool begin_with(const Relation& relation, std::initializer_list<WordSet> sets) const;
   bool end_with(const Relation& relation, WordSet set) const;
   bool end_with(const Relation& relation, std::string_view word) const;
+  // They stand before that token.
+  bool are_before(const Relation& relation, std::size_t token) const;
   // "wall cabinets above": by what, nobody says.
   bool are_without_reference(const Relation& relation) const;
   // One place of the text says both.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "layoutbox/base/units.h"
 #include "layoutbox/plan/phrases/noun_phrase_parts.h"
 #include "layoutbox/plan/phrases/reader_words.h"
 #include "layoutbox/plan/phrases/token_reader.h"
@@ -137,8 +138,8 @@ void settle_coordinates(const Lexicon& lexicon, Document& document) {
   for (const CoordinatesSaid& said : document.coordinates) {
     NounPhrase* noun = noun_told(document, said.begin);
     if (noun == nullptr || noun->count > 1) continue;
-    if (said.x) noun->at_x = said.x;
-    if (said.y) noun->at_y = said.y;
+    if (said.x) noun->place.x = mm_from_m(*said.x);
+    if (said.y) noun->place.y = mm_from_m(*said.y);
   }
   for (std::size_t i = 0; i < document.tokens.size(); ++i) {
     const SillSaid sill = sill_said_at(lexicon, document, i);
@@ -150,8 +151,8 @@ void settle_coordinates(const Lexicon& lexicon, Document& document) {
     const CornerSaid said = corner_said_at(lexicon, document, i);
     NounPhrase* noun = said.last == 0 ? nullptr : noun_told(document, document.tokens[i].begin);
     if (noun == nullptr || noun->kind == NounKind::kObject || noun->count > 1) continue;
-    noun->near_corner = said.corner;
-    noun->from_corner = said.metres;
+    noun->place.corner = said.corner;
+    noun->place.from_corner = mm_from_m(said.metres);
     take_chunks(document, i, said.last, "where in its wall");
   }
 }

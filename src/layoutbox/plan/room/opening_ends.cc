@@ -136,7 +136,7 @@ void settle_opening_ends(const Lexicon& lexicon, Document& document) {
     if (word.empty()) continue;
     const std::string across = word == "other" ? wall_across_from_named(document, k) : std::string{};
     chunk.noun.wall_word = across.empty() ? word : across;
-    chunk.noun.in_middle = !middle.first.empty();
+    chunk.noun.place.in_middle = !middle.first.empty();
     // "two windows in each long wall"
     const bool each =
         (word == "ends" || word == "lengths") && (says_one_of(document, first, {"per"}) || says_one_of(document, first + 1, {"each"}));

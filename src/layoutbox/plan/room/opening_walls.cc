@@ -180,7 +180,7 @@ void settle_opening_walls(const Lexicon& lexicon, Document& document) {
     if (noun.kind == NounKind::kDoor) leave_out_where_it_leads(document, noun, n);
     if (const SideSaid side = side_said_at(lexicon, document, chunks[k].last); side.last > 0) {
       noun.wall_word = side.wall;
-      noun.near_corner = side.corner;
+      noun.place.corner = side.corner;
       take_chunks(document, chunks[k].last, side.last, "which wall");
       continue;
     }

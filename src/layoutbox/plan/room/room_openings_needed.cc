@@ -75,24 +75,39 @@ std::string wall_of_seat_in_window(const Document& document) {
   return {};
 }
 
-}  // namespace
-
-namespace {
-
-// "a sofa under the windows": several, side by side in one wall, where the text has put none and that is long enough.
-void add_windows_spoken_of(const Document& document, SceneGraph& scene) {
-  constexpr Mm kWallForTwo = 3000;
-  const auto spoken_of = std::ranges::find_if(document.mentions, [](const Mention& m) {
+// Windows that the text takes for a row: "a sofa under the windows", "a bench under two windows". `wall` is that of what stands there, or empty.
+struct RowOfWindows {
+  const Mention* windows = nullptr;
+  std::string wall;
+};
+RowOfWindows row_of_windows(const Document& document) {
+  for (std::size_t m = 0; m < document.mentions.size(); ++m) {
+    const NounPhrase& noun = document.mentions[m].noun;
+    if (noun.kind != NounKind::kWindow || !noun.is_plural() || !noun.wall_word.empty()) continue;
+    for (const Link& link : document.links) {
+      const bool under = std::ranges::any_of(link.senses, [](const PhraseSense& s) { return s.type == RelationType::kUnderWindow; });
+      if (!under || link.targets.size() != 1 || std::ranges::find(link.references, static_cast<int>(m)) == link.references.end()) continue;
+      if (document.mentions[static_cast<std::size_t>(link.targets.front())].items.size() == 1)
+        return {&document.mentions[m], wall_of_thing(document, link.targets.front())};
+    }
+  }
+  const auto definite = std::ranges::find_if(document.mentions, [](const Mention& m) {
     return m.noun.kind == NounKind::kWindow && m.noun.plural && m.noun.determiner == Determiner::kDefinite;
   });
-  if (spoken_of == document.mentions.end()) return;
+  return definite == document.mentions.end() ? RowOfWindows{} : RowOfWindows{&*definite, {}};
+}
+
+// A row of windows is in one wall, where that is long enough and the text has put them nowhere.
+void put_row_of_windows(const Document& document, SceneGraph& scene) {
+  constexpr Mm kWallForTwo = 3000;
+  const RowOfWindows row = row_of_windows(document);
+  if (row.windows == nullptr) return;
+  const std::string wall = row.wall.empty() ? wall_to_outside(document, scene.room) : row.wall;
   const auto is_window = [](const Opening& o) { return o.type == OpeningType::kWindow; };
   const Point extent = extent_of(scene.room);
-  const std::string wall = wall_to_outside(document, scene.room);
-  const Mm length = wall == "back" ? extent.x : extent.y;
-  if (extent.x > 0 && length < kWallForTwo) return;
+  if (extent.x > 0 && (wall == "back" || wall == "front" ? extent.x : extent.y) < kWallForTwo) return;
   if (std::ranges::none_of(scene.room.openings, is_window)) {
-    for (int i = 0; i < openings_said(spoken_of->noun); ++i) add_opening(scene, OpeningType::kWindow, spoken_of->noun, {});
+    for (int i = 0; i < openings_said(row.windows->noun); ++i) add_opening(scene, OpeningType::kWindow, row.windows->noun, {});
   }
   for (Opening& opening : scene.room.openings) {
     if (is_window(opening) && opening.wall.empty()) opening.wall = wall;
@@ -111,7 +126,7 @@ void add_needed_openings(const Document& document, SceneGraph& scene) {
     if (look.bay && opening.wall.empty()) opening.wall = wall_of_seat_in_window(document);
     if ((look.outside || look.whole || look.bay) && opening.wall.empty()) opening.wall = wall_to_outside(document, room);
   }
-  if (!windowless) add_windows_spoken_of(document, scene);
+  if (!windowless) put_row_of_windows(document, scene);
   room.openings_given = windowless && doorless;
   if (!room.openings.empty() || windowless || doorless) {
     for (const OpeningType type : {OpeningType::kDoor, OpeningType::kWindow}) {

@@ -39,11 +39,7 @@ void add_opening(SceneGraph& scene, OpeningType type, const NounPhrase& noun, co
   opening.wall = wall_of_opening(wall, type, scene.room);
   if (!noun.size.any()) fit(opening, scene.room);
   opening.called = bare_name(noun);
-  if (noun.in_middle) opening.place = "middle";
-  if (!noun.near_corner.empty()) opening.place = noun.near_corner;
-  if (noun.from_corner) opening.from_corner = mm_from_m(*noun.from_corner);
-  if (noun.at_x) opening.middle_x = mm_from_m(*noun.at_x);
-  if (noun.at_y) opening.middle_y = mm_from_m(*noun.at_y);
+  opening.place = noun.place;
   scene.room.openings.push_back(std::move(opening));
 }
 
@@ -147,23 +143,9 @@ void put_openings(const PlacedOpenings& placed, bool across, SceneGraph& scene) 
     const int count = std::max(1, said / all + (first && said > all ? said % all : 0));
     for (int i = 0; i < std::min(count, 12); ++i) add_opening(scene, type, mention->noun, wall);
     Opening& last = scene.room.openings.back();
-    if (!corner.empty() && count == 1) last.place = corner;
+    if (!corner.empty() && count == 1) last.place.corner = corner;
     if (wall == "across") face_opening(scene.room);
   }
-}
-
-// "a bench under the two windows": windows that one thing is under are in one wall, its own or else one that is chosen.
-std::string wall_of_windows(const Document& document, int windows) {
-  const NounPhrase& noun = document.mentions[static_cast<std::size_t>(windows)].noun;
-  if (!noun.wall_word.empty() || !noun.is_plural() || noun.kind != NounKind::kWindow) return noun.wall_word;
-  for (const Link& link : document.links) {
-    const bool under = std::ranges::any_of(link.senses, [](const PhraseSense& sense) { return sense.type == RelationType::kUnderWindow; });
-    if (!under || link.targets.size() != 1 || std::ranges::find(link.references, windows) == link.references.end()) continue;
-    if (document.mentions[static_cast<std::size_t>(link.targets.front())].items.size() != 1) continue;
-    const std::string wall = wall_of_thing(document, link.targets.front());
-    return wall.empty() ? "back" : wall;
-  }
-  return {};
 }
 
 }  // namespace
@@ -172,11 +154,9 @@ void add_openings(const Document& document, SceneGraph& scene) {
   const Room& room = scene.room;
   const PlacedOpenings placed = placed_openings(document);
   put_openings(placed, false, scene);
-  for (std::size_t m = 0; m < document.mentions.size(); ++m) {
-    const Mention& mention = document.mentions[m];
+  for (const Mention& mention : document.mentions) {
     if (!is_opening(mention.noun)) continue;
     const OpeningType type = opening_type(mention);
-    const std::string into = wall_of_windows(document, static_cast<int>(m));
     const bool said = std::any_of(placed.begin(), placed.end(), [&](const auto& p) { return p.mention == &mention; });
     const bool counted = mention.noun.count > 1 || (mention.noun.plural && mention.noun.determiner != Determiner::kDefinite);
     if (said || (!counted && !mention.noun.size.any() && mention.noun.wall_word.empty() && !is_described(type, mention.noun))) continue;
@@ -194,11 +174,11 @@ void add_openings(const Document& document, SceneGraph& scene) {
       if (mention.noun.size.any()) resize_openings(scene.room, meant);
       // "by the north windows … Three tall windows north": as many as are counted.
       if (mention.noun.count > 1)
-        complete_openings(scene, mention.noun, into, type, static_cast<int>(std::ranges::count_if(scene.room.openings, same)));
+        complete_openings(scene, mention.noun, mention.noun.wall_word, type, static_cast<int>(std::ranges::count_if(scene.room.openings, same)));
       continue;
     }
     const int count = openings_said(mention.noun);
-    for (int i = 0; i < std::min(count, 12); ++i) add_opening(scene, type, mention.noun, into);
+    for (int i = 0; i < std::min(count, 12); ++i) add_opening(scene, type, mention.noun, mention.noun.wall_word);
   }
   put_openings(placed, true, scene);
 }

@@ -181,6 +181,7 @@ class Tokenizer {
       return true;
     }
     if (take_leader(first, token)) return true;
+    if (first.value == '-' && !token.glued && take_degrees_below_zero(token)) return true;
     const std::size_t next = at_ + first.size;
     const bool joins = first.value == '-' || first.value == '/' || (first.value == '_' && letter_follows(next));
     if (joins && token.glued && (letter_follows(next) || digit_at(next)) && !tokens_.empty() && tokens_.back().end == at_ &&
@@ -201,6 +202,23 @@ class Tokenizer {
     } else if (first.value == '-' && !token.glued) {
       token.text = ",";
     }
+    return true;
+  }
+
+  // "a fridge and a -80 freezer": how cold it is, and no count. Not "- 2 chairs", "-2 chairs" at the beginning of a line.
+  bool take_degrees_below_zero(Token& token) {
+    std::size_t line = at_;
+    while (line > 0 && prompt_[line - 1] == ' ') --line;
+    std::size_t end = at_ + 1;
+    while (digit_at(end)) ++end;
+    if (line == 0 || prompt_[line - 1] == '\n' || dashes_list_ || end == at_ + 1) return false;
+    std::size_t unit = end;
+    while (unit < prompt_.size() && prompt_[unit] == ' ') ++unit;
+    if (prompt_.substr(unit).starts_with("\u00B0")) end = unit + 2 + (prompt_.substr(unit + 2).starts_with("C") ? 1 : 0);
+    if (end + 1 >= prompt_.size() || prompt_[end] != ' ' || !letter_follows(end + 1)) return false;
+    at_ = end;
+    token.kind = Token::Kind::kWord;
+    token.text = "cold";
     return true;
   }
 
