@@ -45,6 +45,8 @@ Color wall_of(const std::vector<Color>& said) {
   constexpr double kPale = 0.6, kTinged = 0.05, kVivid = 0.35;
   const Color& lightest = *std::ranges::max_element(said, {}, brightness);
   const auto pale = std::ranges::find_if(said, [](const Color& c) { return brightness(c) > kPale && chroma_of(c) > kTinged; });
+  // Red is never so pale that it is not pink.
+  if (lightest.r > lightest.g + kVivid && lightest.r > lightest.b + kVivid) return mixed(lightest, {0.93, 0.91, 0.88}, 0.93);
   const bool tinged = pale != said.end() && chroma_of(lightest) < kTinged;
   return mixed(tinged ? *pale : lightest, {0.95, 0.94, 0.92}, tinged && chroma_of(*pale) < kVivid ? 0.5 : 0.65);
 }
