@@ -59,6 +59,7 @@ void add_shades(std::vector<Color>& said) {
   constexpr double kGray = 0.06;
   const Color color = said.front();
   const bool gray = chroma_of(color) < kGray;
+  said.push_back(mixed(color, {0.95, 0.93, 0.89}, 0.08));  // most things have it nearly as it is said
   said.push_back(gray ? mixed(color, {0.75, 0.75, 0.74}, 0.3) : mixed(color, {0.95, 0.93, 0.89}, 0.45));
   said.push_back(gray ? mixed(color, {0.75, 0.73, 0.69}, 0.2) : calm_colors().front());
 }
