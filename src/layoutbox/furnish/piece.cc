@@ -273,7 +273,8 @@ Color Piece::accent() const {
   static constexpr Color kCalm[] = {{0.80, 0.75, 0.66}, {0.62, 0.66, 0.60}, {0.60, 0.64, 0.68}, {0.72, 0.62, 0.52}, {0.84, 0.80, 0.73}};
   Random random(kind_seed_);
   const std::size_t turn = turn_of(object_.category);
-  if (decor_.colors_said && turn != kNoTurn) return decor_.accents[(turn + (decor_.accents.size() == 2 ? decor_.chance % 2 : 0)) % decor_.accents.size()];
+  if (decor_.colors_said && turn != kNoTurn)
+    return decor_.accents[(turn + (decor_.accents.size() == 2 ? decor_.chance % 2 : 0)) % decor_.accents.size()];
   if (!decor_.accents.empty()) return decor_.accents[random.below(decor_.accents.size())];
   return kCalm[random.below(std::size(kCalm))];
 }

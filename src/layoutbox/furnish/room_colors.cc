@@ -61,8 +61,8 @@ ColorScheme scheme_named(std::string_view clause) {
 }
 
 // Those of a clause that names nothing but looks ("colours: sage and cream"), of an item of a list that says so of everything ("mostly
-// black", "purple vibes"), of an item that is colours alone ("Sage and cream, blackout curtains", "…, a bean bag, pink and beige"; one colour
-// is of what stands before it), and of the room's kind at once ("a nursery in soft yellow and white"): of the whole room.
+// black", "purple vibes"), of an item that is colours alone ("Sage and cream, blackout curtains", "…, a bean bag, pink and beige"; one
+// colour is of what stands before it), and of the room's kind at once ("a nursery in soft yellow and white"): of the whole room.
 ColorScheme scheme_of_clause(std::string_view clause, bool opens) {
   constexpr std::size_t kOpening = 40;  // characters
   ColorScheme said = scheme_named(clause);
@@ -73,7 +73,8 @@ ColorScheme scheme_of_clause(std::string_view clause, bool opens) {
     const std::size_t end = std::min(clause.find(',', at), clause.size());
     const std::string_view item = clause.substr(at, end - at);
     const std::vector<std::string> before = words_of(clause.substr(0, at));
-    const bool own = (end != clause.size() || at > 0) && (before.empty() || !is_look_word(before.back()));  // "a rug in red, blue and white"
+    const bool own =
+        (end != clause.size() || at > 0) && (before.empty() || !is_look_word(before.back()));  // "a rug in red, blue and white"
     const std::vector<std::string> words = words_of(item);
     const bool of_all = std::ranges::any_of(words, [](const std::string& word) { return is_in_list("color_markers", word); });
     if (ColorScheme looks = only_looks(item); of_all || (own && looks.size() > 1)) said = std::move(looks);
