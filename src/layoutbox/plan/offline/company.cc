@@ -15,10 +15,10 @@ bool names_thing(const Chunk& chunk) {
 }
 
 // The noun that is said to have what the chunk at `k` names, in a list or alone; null: none.
-const NounPhrase* owner_of(const std::vector<Chunk>& chunks, std::size_t k) {
+NounPhrase* owner_of(std::vector<Chunk>& chunks, std::size_t k) {
   bool has = false;
   for (std::size_t i = k; i-- > 0;) {
-    const Chunk& chunk = chunks[i];
+    Chunk& chunk = chunks[i];
     if (chunk.kind == ChunkKind::kHave) {
       has = true;
     } else if (chunk.kind == ChunkKind::kNoun && has) {
@@ -66,12 +66,20 @@ void settle_company(const Lexicon& lexicon, Document& document) {
   for (std::size_t k = 0; k < chunks.size(); ++k) {
     if (!names_thing(chunks[k])) continue;
     NounPhrase& noun = chunks[k].noun;
-    const NounPhrase* owner = owner_of(chunks, k);
+    NounPhrase* owner = owner_of(chunks, k);
     const std::size_t place = k + 1;  // "a shelf above it" is none
     const bool elsewhere = place < chunks.size() && chunks[place].kind == ChunkKind::kRelation &&
                            chunks[place].last < document.tokens.size() && !one_of(document.tokens[chunks[place].first].text, {"in"}) &&
                            (document.tokens[chunks[place].last].text == "it" || document.tokens[chunks[place].last - 1].text == "it");
     if (owner != nullptr && !elsewhere && is_own_part(catalog, owner->entry->id, noun.entry->id)) {
+      noun.kind = NounKind::kPart;
+      continue;
+    }
+    // "a basin with a vanity": one thing, which has the other
+    if (owner != nullptr && !elsewhere && is_own_part(catalog, noun.entry->id, owner->entry->id) &&
+        catalog.is_a(noun.entry->id, owner->entry->id)) {
+      owner->entry = noun.entry;
+      owner->category = noun.category;
       noun.kind = NounKind::kPart;
       continue;
     }

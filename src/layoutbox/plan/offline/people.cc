@@ -90,7 +90,8 @@ class RoomPeople {
     return named.is(Trait::kTable) && !named.is(Trait::kDeskLike) && catalog_.is_a(needed.id, named.id);
   }
 
-  // The first mention of things like that, rather of several ("a high chair and five chairs"), or -1: any desk for a desk, any bed for a bed.
+  // The first mention of things like that, rather of several ("a high chair and five chairs"), or -1: any desk for a desk, any bed for a
+  // bed.
   int named(const CatalogEntry& kind) const {
     int first = -1;
     for (std::size_t m = 0; m < document_.mentions.size(); ++m) {

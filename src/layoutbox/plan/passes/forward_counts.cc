@@ -143,8 +143,8 @@ void settle_forward_names(Document& document) {
     NounPhrase& known = chunks[k].noun;
     // "the way between bed and door. A double bed …", where articles are left out
     const bool spoken_of = known.determiner == Determiner::kDefinite || known.determiner == Determiner::kNone;
-    const bool plain = is_thing(chunks[k]) && spoken_of && known.name == known.head && !known.is_plural() &&
-                       known.attributes.empty() && known.count == 0 && known.ordinal == 0 && !known.of;
+    const bool plain = is_thing(chunks[k]) && spoken_of && known.name == known.head && !known.is_plural() && known.attributes.empty() &&
+                       known.count == 0 && known.ordinal == 0 && !known.of;
     if (!plain || chunks[k - 1].kind != ChunkKind::kRelation) continue;
     std::size_t before = 0;
     while (before < k && !is_called(before, known)) ++before;

@@ -63,20 +63,20 @@ struct NounPhrase {
   int together = 0;        // "desks in groups of four"
   int apart = 0;           // "between the groups": one of each group, which has so many
   bool at_least = false, vague = false, plural = false;
-  bool filling = false;               // "a shelf full of cans": as many as look like it, two of them for certain
-  bool everywhere = false;            // "books everywhere": on tops, and on the floor as well
-  bool assorted = false;              // "plants of all sizes"
-  bool heaped = false;                // "a stack of menus": several that lie as one thing
-  bool subset = false;                // "two of the beds"
-  bool reciprocal = false;            // "each other"
-  bool doubted = false;               // taken for no thing by what English says of the word alone: no list of ours has it
-  bool unplaced = false;              // … or by what the text says of it: neither where it is nor that it is there
-  bool collective = false;            // "items", "essentials": things where something holds them
-  bool niche = false;                 // an alcove, a notch: a part of the room's outline
-  std::string wall_word;              // left, right, back, front
-  std::optional<double> sill;         // of a window: how high, metres
-  PlaceSaid place;                    // in figures, or of a door or window along that wall
-  std::string wall_relation;          // opposite, other, adjacent, same
+  bool filling = false;        // "a shelf full of cans": as many as look like it, two of them for certain
+  bool everywhere = false;     // "books everywhere": on tops, and on the floor as well
+  bool assorted = false;       // "plants of all sizes"
+  bool heaped = false;         // "a stack of menus": several that lie as one thing
+  bool subset = false;         // "two of the beds"
+  bool reciprocal = false;     // "each other"
+  bool doubted = false;        // taken for no thing by what English says of the word alone: no list of ours has it
+  bool unplaced = false;       // … or by what the text says of it: neither where it is nor that it is there
+  bool collective = false;     // "items", "essentials": things where something holds them
+  bool niche = false;          // an alcove, a notch: a part of the room's outline
+  std::string wall_word;       // left, right, back, front
+  std::optional<double> sill;  // of a window: how high, metres
+  PlaceSaid place;             // in figures, or of a door or window along that wall
+  std::string wall_relation;   // opposite, other, adjacent, same
   SaidSize size;
   std::optional<double> hangs_at;         // "a shelf at 1.2 m": metres above the floor
   std::shared_ptr<NounPhrase> of;         // "the corner of the desk", "two of the beds"

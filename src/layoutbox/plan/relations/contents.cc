@@ -96,6 +96,13 @@ void RelationBuilder::share_out(const Link& link, R type, const std::vector<int>
 
 // "a table with four chairs", "desks with chairs".
 void RelationBuilder::add_seats(const Link& link, const std::vector<int>& seats, const std::vector<int>& tables) {
+  // "a long table with two benches": along it, not at its ends
+  const CatalogEntry* bench = noun_of_item(seats.front()).entry;
+  const bool wide = bench != nullptr && bench->size.usual.width >= 2 * bench->size.usual.depth;
+  Link along = link;
+  along.concluded = true;
+  if (wide && seats.size() == 2 && tables.size() == 1)
+    add_at_sides(along, {R::kEachSideOf, Direction::kDirect, {}, {}, {}}, seats, tables.front());
   if (seats.size() > tables.size()) {
     add_group(link, {R::kAround, Direction::kDirect, {}, {}, {}}, seats, tables, nullptr);
     return;
@@ -132,7 +139,8 @@ void RelationBuilder::add_contents(const Link& link) {
 void RelationBuilder::add_hung_content(const Link& link, const Mention& target, const std::vector<int>& hosts) {
   const NounPhrase &host = noun_of_item(hosts.front()), &thing = target.noun;
   const auto is_host = [&](const std::string& kind) { return host.entry != nullptr && catalog_.is_a(host.entry->id, kind); };
-  if (thing.entry != nullptr && std::ranges::any_of(thing.entry->stands_on, is_host)) return share_out(link, has_inside(host) ? R::kIn : R::kOn, target.items, hosts);  // "an easel with a canvas"
+  if (thing.entry != nullptr && std::ranges::any_of(thing.entry->stands_on, is_host))
+    return share_out(link, has_inside(host) ? R::kIn : R::kOn, target.items, hosts);  // "an easel with a canvas"
   // "a nightstand with a clock": such a thing has a kind that stands there
   const auto small_kind = [&](const CatalogEntry& kind) {
     return kind.mount == Mount::kSurface && catalog_.is_a(kind.id, thing.entry->id) && std::ranges::any_of(kind.stands_on, is_host);

@@ -24,7 +24,7 @@ void RelationBuilder::run() {
     const bool things = std::ranges::all_of(link.references, [&](int r) { return mention(r).introduces && mention(r).items.size() == 1; });
     if (things) link.references.resize(1);
   }
-  complete_counters();
+  complete_contents();
   place_hosts();
   place_before_walls();
   let_into_tops();

@@ -30,9 +30,10 @@ class RelationBuilder : private RelationWriter {
   // A door or window that has an id of its own, else the word, which normalisation gives to the default one.
   // As many of them as the words say: "between two windows".
   std::vector<std::string> opening_ids(const NounPhrase& noun) const;
-  void complete_counters();
+  void complete_contents();
   void place_host_of(const Link& have);
   int standing_before(int m) const;
+  void place_between_hosts(const Link& have);
   void place_hosts();
   void place_before_walls();
   void let_into_tops();

@@ -27,9 +27,12 @@ void RelationBuilder::place_host_of(const Link& have) {
   const Mention &host = mention(have.references.front()), &first = mention(have.targets.front());
   if (host.items.size() != 1 || first.items.empty()) return;
   const NounPhrase &noun = noun_of_item(host.items.front()), &other = noun_of_item(first.items.front());
-  const bool seats = one_sits_at(catalog_, noun) && is_seat(catalog_, other);
+  // … "a desk with a computer and a chair near the door"
+  const Mention& end = mention(have.targets.back());
+  const bool ends_in_seat = !end.items.empty() && one_sits_at(catalog_, noun) && is_seat(catalog_, noun_of_item(end.items.front()));
+  const bool seats = ends_in_seat || (one_sits_at(catalog_, noun) && is_seat(catalog_, other));
   // "a table with four chairs in the middle, a mug and a bowl on it": the place follows the chairs.
-  const int last = seats ? have.targets.front() : have.targets.back();
+  const int last = seats && !ends_in_seat ? have.targets.front() : have.targets.back();
   const bool list = !seats && have.targets.size() > 1;
   const Mention& thing = mention(last);
   if (thing.items.empty() || !thing.introduces) return;
@@ -43,7 +46,8 @@ void RelationBuilder::place_host_of(const Link& have) {
   const auto area = [](const NounPhrase& one) {
     return one.entry == nullptr ? 0 : std::int64_t{one.entry->size.usual.width} * one.entry->size.usual.depth;
   };
-  const bool kept = !list && !seats && !carried && mount_of(noun) == Mount::kFloor && mount_of(other) == Mount::kFloor && 2 * area(other) < area(noun);
+  const bool kept =
+      !list && !seats && !carried && mount_of(noun) == Mount::kFloor && mount_of(other) == Mount::kFloor && 2 * area(other) < area(noun);
   // "a dressing table with a mirror under the window"
   const bool hung = !list && !carried && mount_of(other) == Mount::kWall && mount_of(noun) == Mount::kFloor;
   // "a piano with its stool by the window"
@@ -58,7 +62,10 @@ void RelationBuilder::place_host_of(const Link& have) {
   const auto is_place = [&](const Link& link, int target) {
     const bool rests = carried && (says(link.senses, &RelationTraits::rests) || says(link.senses, R::kCenterOfRoom));
     if ((hung || (kept && !own)) && !says(link.senses, R::kUnderWindow)) return false;
-    return link.kind == Link::Kind::kRelation && link.targets == std::vector<int>{target} && !rests &&
+    // "with a lamp and a chair next to the window": of both, or of the last one
+    const bool of_list = ends_in_seat && link.targets.size() > 1 && link.targets.back() == target &&
+                         std::ranges::all_of(link.targets, [&](int t) { return std::ranges::find(have.targets, t) != have.targets.end(); });
+    return link.kind == Link::Kind::kRelation && (of_list || link.targets == std::vector<int>{target}) && !rests &&
            std::all_of(link.references.begin(), link.references.end(), stands);
   };
   const bool placed = std::any_of(document_.links.begin(), document_.links.end(),
@@ -74,19 +81,40 @@ void RelationBuilder::place_host_of(const Link& have) {
   }
 }
 
-void RelationBuilder::place_hosts() {
-  for (const Link& have : document_.links) place_host_of(have);
+// "two beds with a nightstand in the middle": between them.
+void RelationBuilder::place_between_hosts(const Link& have) {
+  if (have.kind != Link::Kind::kHave || have.references.size() != 1 || have.targets.empty()) return;
+  const Mention &hosts = mention(have.references.front()), &thing = mention(have.targets.back());
+  if (hosts.items.size() != 2 || thing.items.size() != 1 || !thing.introduces) return;
+  const bool stand = mount_of(noun_of_item(hosts.items.front())) == Mount::kFloor && mount_of(thing.noun) == Mount::kFloor;
+  for (Link& link : document_.links) {
+    const bool of_either = link.targets == have.references || link.targets == std::vector<int>{have.targets.back()};
+    if (!stand || !of_either || link.kind != Link::Kind::kRelation || link.first != thing.noun.last || !link.references.empty()) continue;
+    if (!says(link.senses, R::kCenterOfRoom)) continue;
+    link.targets = {have.targets.back()};
+    link.references = have.references;
+    link.senses = {{R::kBetween, PhraseSense::Direction::kDirect, {}, {}, {}}};
+  }
 }
 
-// "a counter with the till, the grinder and a cake display along the back wall": all three are what the counter has.
-void RelationBuilder::complete_counters() {
+void RelationBuilder::place_hosts() {
+  for (const Link& have : document_.links) place_host_of(have);
+  for (const Link& have : document_.links) place_between_hosts(have);
+}
+
+// "a counter with the till, the grinder and a cake display along the back wall": all three are what the counter has; "a desk with a lamp
+// and a chair by the window": both.
+void RelationBuilder::complete_contents() {
   for (Link& have : document_.links) {
-    if (have.kind != Link::Kind::kHave || have.references.size() != 1 || have.targets.size() < 2) continue;
+    if (have.kind != Link::Kind::kHave || have.references.size() != 1 || have.targets.empty()) continue;
     const NounPhrase& host = mention(have.references.front()).noun;
-    if (host.entry == nullptr || !host.entry->is(Trait::kCounter)) continue;
+    const bool counter = host.entry != nullptr && host.entry->is(Trait::kCounter) && have.targets.size() > 1;
+    const bool desk = one_sits_at(catalog_, host);
+    if (!counter && !desk) continue;
     const std::size_t end = mention(have.targets.back()).noun.last;
     const auto follows = [&](const Mention& m) {
-      return m.introduces && !m.items.empty() && m.noun.first == end + 1 && says_one_of(document_, end, {"and"});
+      const bool last = m.introduces && !m.items.empty() && m.noun.first == end + 1 && says_one_of(document_, end, {"and"});
+      return last && (counter || is_seat(catalog_, m.noun));
     };
     const auto next = std::ranges::find_if(document_.mentions, follows);
     if (next != document_.mentions.end()) have.targets.push_back(static_cast<int>(next - document_.mentions.begin()));

@@ -114,7 +114,8 @@ void RelationBuilder::leave_room_to_serve() {
     for (Relation& wall : scene_.relations) {
       if (wall.type == R::kAgainstWall && wall.targets == behind.references) wall.parameters.gap = own.size.usual.depth + kToPass;
     }
-    const bool looks = std::ranges::any_of(relations_of(thing->id), [&](std::size_t t) { return traits_of(scene_.relations[t].type).turns; });
+    const bool looks =
+        std::ranges::any_of(relations_of(thing->id), [&](std::size_t t) { return traits_of(scene_.relations[t].type).turns; });
     if (own.is(Trait::kSeat) && !looks) add_habit(R::kFacing, {thing->id}, {counter->id}, kTogether, "who serves looks over the counter");
   }
 }

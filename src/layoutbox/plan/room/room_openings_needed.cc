@@ -75,7 +75,8 @@ std::string wall_of_seat_in_window(const Document& document) {
   return {};
 }
 
-// Windows that the text takes for a row: "a sofa under the windows", "a bench under two windows". `wall` is that of what stands there, or empty.
+// Windows that the text takes for a row: "a sofa under the windows", "a bench under two windows". `wall` is that of what stands there, or
+// empty.
 struct RowOfWindows {
   const Mention* windows = nullptr;
   std::string wall;

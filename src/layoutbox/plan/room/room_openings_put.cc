@@ -174,7 +174,8 @@ void add_openings(const Document& document, SceneGraph& scene) {
       if (mention.noun.size.any()) resize_openings(scene.room, meant);
       // "by the north windows … Three tall windows north": as many as are counted.
       if (mention.noun.count > 1)
-        complete_openings(scene, mention.noun, mention.noun.wall_word, type, static_cast<int>(std::ranges::count_if(scene.room.openings, same)));
+        complete_openings(scene, mention.noun, mention.noun.wall_word, type,
+                          static_cast<int>(std::ranges::count_if(scene.room.openings, same)));
       continue;
     }
     const int count = openings_said(mention.noun);
