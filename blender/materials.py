@@ -127,6 +127,43 @@ def paint_flowers(nodes, point, row):
     return nodes.mix(math_node("LESS_THAN", far, 0.06), blossom, rgba(between(second, (1.0, 0.85, 0.4), 0.6)))
 
 
+def split_point(nodes, point):
+    split = nodes.add("ShaderNodeSeparateXYZ")
+    nodes.tree.links.new(point.outputs[0], split.inputs[0])
+    return split.outputs[0], split.outputs[1]
+
+
+def paint_rosettes(nodes, point, row):
+    """Square tiles of edge 1: a diamond in the middle of each, rings and discs about the corners where four meet."""
+    math_node = nodes.math
+    x, y = (math_node("ABSOLUTE", math_node("SUBTRACT", math_node("FRACT", v, 0.0), 0.5), 0.0) for v in split_point(nodes, point))
+    to_corner = [math_node("POWER", math_node("SUBTRACT", 0.5, v), 2.0) for v in (x, y)]
+    far = math_node("SQRT", math_node("ADD", *to_corner), 0.0)
+    ring = math_node("SUBTRACT", math_node("LESS_THAN", far, 0.36), math_node("LESS_THAN", far, 0.25))
+    inside = math_node("MAXIMUM", math_node("LESS_THAN", math_node("ADD", x, y), 0.2), math_node("LESS_THAN", far, 0.14))
+    figure = nodes.mix(math_node("MAXIMUM", ring, inside), rgba(row["color"]), rgba(row["second"]))
+    joint = math_node("GREATER_THAN", math_node("MAXIMUM", x, y), 0.492)
+    return nodes.mix(joint, figure, rgba(between(row["color"], (0.4, 0.4, 0.4), 0.4)))
+
+
+def paint_logs(nodes, point, row):
+    """Round logs along u, each 1 high: pale where they bulge, dark where two meet."""
+    base, second, math_node = row["color"], row["second"], nodes.math
+    _, y = split_point(nodes, point)
+    bulge = math_node("SINE", math_node("MULTIPLY", math_node("FRACT", y, 0.0), math.pi), 0.0)
+    nodes.bump(bulge, 6.0, 0.8)
+    round_tone = nodes.ramp(bulge, (0.0, between(second, (0, 0, 0), 0.5)), (0.22, second), (0.6, base), (1.0, between(base, (1, 1, 1), 0.12)))
+    return nodes.mix(0.4, round_tone, wood_grain(nodes, point, row, 0.8, along=0.6, across=9.0))
+
+
+def paint_glazed(nodes, point, row):
+    """Square tiles of edge 1 made by hand: each of a shade of its own, joints of second."""
+    base, second = row["color"], row["second"]
+    tile, joint = nodes.bricks(point, 1.0, 1.0, 1 / 40, offset=0.0)
+    body = nodes.ramp(tile, (0.0, between(base, (0, 0, 0), 0.16)), (0.5, base), (1.0, between(base, (1, 1, 1), 0.16)))
+    return nodes.mix(joint, body, rgba(second))
+
+
 def paint_marble(nodes, point, row):
     base, second = row["color"], row["second"]
     veins = nodes.wave(point, math.pi / 20, distortion=6.0, direction="DIAGONAL", detail=5.0)
@@ -202,6 +239,7 @@ def paint_brushed(nodes, point, row):
 
 PAINTERS = {"wood": paint_wood, "planks": paint_planks, "parquet": paint_parquet, "tiles": paint_tiles, "checker": paint_checker,
             "bricks": paint_bricks, "tatami": paint_tatami, "flags": paint_flags, "flowers": paint_flowers,
+            "rosettes": paint_rosettes, "logs": paint_logs, "glazed": paint_glazed,
             "marble": paint_marble, "terrazzo": paint_terrazzo, "concrete": paint_concrete,
             "plaster": paint_plaster, "fabric": paint_fabric, "carpet": paint_carpet, "leather": paint_leather,
             "wicker": paint_wicker, "stripes": paint_stripes, "brushed": paint_brushed}

@@ -154,6 +154,24 @@ Tone flowers(const PatternPlace& p) {
   return {1 - step(petals - 0.03, petals, r), 0};
 }
 
+// Square tiles: a diamond in the middle of each, rings and discs about the corners where four meet.
+Tone rosettes(const PatternPlace& p) {
+  const double x = std::abs(p.u - 0.5), y = std::abs(p.v - 0.5), far = std::hypot(0.5 - x, 0.5 - y);
+  return {(far < 0.36 && far >= 0.25) || far < 0.14 || x + y < 0.2 ? 1.0 : 0.0, 0};
+}
+
+// Round logs along u: pale where they bulge, dark where two meet.
+Tone logs(const PatternPlace& p) {
+  const double y = p.v * 4, bulge = std::sin(kPi * (y - std::floor(y)));
+  return {std::max(1 - step(0.1, 0.6, bulge), 0.5 * grain(p.fine)), 0.6 * (1 - step(0.0, 0.25, bulge))};
+}
+
+Tone glazed(const PatternPlace& p) {
+  const double x = p.u * 4, y = p.v * 4, fx = x - std::floor(x), fy = y - std::floor(y);
+  if (std::min({fx, 1 - fx, fy, 1 - fy}) < 1.0 / 40) return {1, 0};
+  return {0, 0.8 * random(static_cast<int>(x), static_cast<int>(y), 5)};
+}
+
 Tone marble(const PatternPlace& p) {
   const double vein = std::abs(std::sin(kPi * (2 * (p.u + p.v) + 3.0 * p.coarse)));
   return {std::max(0.8 * (1 - step(0.0, 0.16, vein)), 0.3 * step(0.45, 0.8, p.fine)), 0};
@@ -222,6 +240,9 @@ const std::map<std::string, Pattern>& patterns() {
       {"tatami", {tatami, 256, {1, 1}, {2, 100, 2}}},
       {"flags", {flags, 128, {1, 1.2}, {6, 6, 3}}},
       {"flowers", {flowers, 128, {2, 2}}},
+      {"rosettes", {rosettes, 64, {1, 1}}},
+      {"logs", {logs, 128, {4, 4}, {4, 32, 3}}},
+      {"glazed", {glazed, 128, {4, 4}}},
       {"marble", {marble, 256, {4, 4}, {5, 5, 4}, {4, 4, 5}}},
       {"terrazzo", {terrazzo, 128, {12, 12}}},
       {"concrete", {concrete, 128, {3, 3}, {3, 3, 5}}},

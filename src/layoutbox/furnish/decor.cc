@@ -4,7 +4,9 @@
 #include <cctype>
 #include <nlohmann/json.hpp>
 
+#include "layoutbox/base/units.h"
 #include "layoutbox/base/words.h"
+#include "layoutbox/furnish/decor_colors.h"
 #include "layoutbox/furnish/decor_data.h"
 #include "layoutbox/furnish/decor_style.h"
 #include "layoutbox/furnish/palette.h"
@@ -25,8 +27,6 @@ template <class List>
 const auto& one_of(const List& list, std::uint64_t number) {
   return list[static_cast<typename List::size_type>(number % list.size())];
 }
-
-Color color_of(const Json& json) { return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()}; }
 
 // Whole words only.
 bool says_word(std::string_view text, std::string_view phrase) {
@@ -50,19 +50,6 @@ std::string value_listed(const Json& by_words, std::string_view word) {
     if (!word.empty() && lists(words, word)) return value.get<std::string>();
   }
   return "";
-}
-
-void take_palette(Decor& decor, const Json& colors) {
-  decor.accents.clear();
-  for (const Json& color : colors) decor.accents.push_back(color_of(color));
-}
-
-double brightness(const Color& c) { return 0.3 * c.r + 0.59 * c.g + 0.11 * c.b; }
-
-// Walls of a room whose colours are said: of the lightest of them, far paler.
-Color wall_of(const std::vector<Color>& said) {
-  const Color& lightest = *std::ranges::max_element(said, {}, brightness);
-  return mixed(lightest, {0.95, 0.94, 0.92}, 0.65);
 }
 
 // The colours of a child's room, by whose it is.
@@ -110,10 +97,20 @@ bool is_childs(const std::string& kind, std::string_view prompt) {
   return kind == "bedroom" && says_one_of(prompt, "child_words");
 }
 
+// The text without what only sounds worn: "shabby chic".
+std::string without_not_worn(std::string text) {
+  for (const Json& phrase : decor_data().at("not_worn")) {
+    const std::string& words = phrase.get_ref<const std::string&>();
+    for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words)) text.erase(at, words.size());
+  }
+  return text;
+}
+
 // "An abandoned ward", "a dark cellar": what is said of the whole room as it opens, by which it is darker or more worn.
 void take_conditions(Decor& decor, std::string_view prompt) {
   constexpr std::size_t kLongestOpening = 80;  // characters
-  const std::string text = lower_case(prompt), opening = text.substr(0, std::min(text.find_first_of(":;.\n"), kLongestOpening));
+  const std::string text = without_not_worn(lower_case(prompt)),
+                    opening = text.substr(0, std::min(text.find_first_of(":;.\n"), kLongestOpening));
   for (const Json& condition : decor_data().at("conditions")) {
     const std::string& where = condition.value("anywhere", false) ? text : opening;
     const bool said =
@@ -124,36 +121,59 @@ void take_conditions(Decor& decor, std::string_view prompt) {
   }
 }
 
+// The last words of the names of what stands in the room: "lamp" of a table lamp.
+std::vector<std::string> things_of(const Layout& layout) {
+  std::vector<std::string> heads;
+  for (const PlacedObject& object : layout.objects) {
+    const std::vector<std::string> words = words_of(object.name);
+    if (!words.empty()) heads.push_back(words.back());
+  }
+  return heads;
+}
+
+// The colour that the text gives the largest of what stands in the room, else its walls; nothing where none is more than grey.
+std::optional<Color> said_of_things(const Layout& layout) {
+  constexpr double kLeast = 0.25, kVivid = 0.12;  // m², chroma
+  std::optional<Color> said = layout.room.wall_material.empty() ? std::nullopt : read_wish(layout.room.wall_material).color;
+  if (said && chroma_of(*said) < kVivid) said.reset();
+  double largest = kLeast;
+  for (const PlacedObject& object : layout.objects) {
+    std::string look = object.material;
+    for (const std::string& word : object.attributes) look += " " + word;
+    const std::optional<Color> color = read_wish(look).color;
+    const double area = m_from_mm(object.size.width) * m_from_mm(object.size.depth);
+    if (!color || area < largest || chroma_of(*color) < kVivid) continue;
+    said = color;
+    largest = area;
+  }
+  return said;
+}
+
+// Woods, metal and colours of a style.
+void take_style(Decor& decor, const RoomStyle& style) {
+  decor.style = style.name;
+  decor.woods = style.data->at("woods").get<std::vector<std::string>>();
+  decor.metal = style.data->value("metal", decor.metal);
+  decor.rug = style.data->value("rug", decor.rug);
+  if (style.data->contains("leather")) decor.leather = read_wish(style.data->at("leather").get<std::string>()).color;
+  if (style.data->contains("palette")) decor.accents = palette_of(style.data->at("palette"));
+}
+
+// "Snow outside the windows".
+void take_view(Decor& decor, std::string_view prompt) {
+  const std::string text = lower_case(prompt);
+  for (const Json& view : decor_data().at("views")) {
+    const bool said = std::ranges::any_of(view.at("says"), [&](const Json& phrase) { return says_word(text, phrase.get<std::string>()); });
+    if (said) decor.view = view.at("window").get<std::string>();
+  }
+}
+
 // Walls, skirtings, doors and windows of a style.
 void take_shell(Decor& decor, const Json& style) {
   decor.wall_finish = style.value("wall", decor.wall_finish);
   decor.skirting = style.value("skirting", decor.skirting);
   decor.door = style.value("door", decor.door);
   decor.window = style.value("window", decor.window);
-}
-
-// The colours and woods that the text says of the whole room; what it does not want gives way.
-void take_room_look(Decor& decor, RoomLook said, const std::string& kind, bool dark) {
-  const auto is_unwanted = [&](const Color& color) {
-    return std::ranges::any_of(said.unwanted, [&](const Color& other) { return is_much_like(color, other); });
-  };
-  decor.woods_said = !said.woods.empty();
-  if (decor.woods_said) decor.woods = said.woods;
-  decor.all = said.all;
-  if (!said.colors.empty()) {
-    constexpr double kDarkened = 0.55;
-    decor.wall = dark ? mixed(said.colors.front(), decor.wall, kDarkened) : wall_of(said.colors);
-    if (lists(decor_data().at("colored_fronts").get<std::string>(), kind))
-      decor.parts.emplace("fronts", PartLook{{said.colors.front()}, nullptr});
-    decor.accents = std::move(said.colors);
-    decor.colors_said = true;
-    return;
-  }
-  std::erase_if(decor.accents, is_unwanted);
-  if (!is_unwanted(decor.wall)) return;
-  for (const Json& wall : decor_data().at("walls")) {
-    if (!is_unwanted(color_of(wall))) decor.wall = color_of(wall);
-  }
 }
 
 // The name of the floor's surface, so that the furniture can differ from it.
@@ -176,6 +196,10 @@ std::vector<std::string> woods_on(const std::string& floor, std::uint64_t chance
 }  // namespace
 
 std::string_view Decor::wood_for(std::string_view usual, std::uint64_t kind) const {
+  // Painted white is what a style has that lists it; others have their wood instead.
+  const bool painted = usual == "lacquer" && !style.empty() && !woods.empty() && std::ranges::find(woods, "lacquer") == woods.end() &&
+                       woods.front() != "birch";
+  if (painted) return woods.front();
   if (woods.empty() || (usual != "oak" && usual != "walnut")) return usual;
   // Most things are of the room's first wood; what is usually dark, and one kind in five, is of the next one that differs.
   const auto other = std::find_if(woods.begin(), woods.end(), [&](const std::string& wood) { return wood != woods.front(); });
@@ -188,7 +212,8 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
   const std::uint64_t chance = hash(layout.prompt.substr(0, layout.prompt.find('\n')), seed);
   const std::string& kind = layout.room.type;
   const Json& room = room_data(kind);
-  const Json* style = style_of(layout.prompt).data;
+  const RoomStyle named = style_of(layout.prompt, things_of(layout));
+  const Json* style = named.data;
   Decor decor;
   decor.chance = chance;
   decor.parapet = room.value("parapet", false);
@@ -197,29 +222,37 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
   decor.pictures = value_listed(decor_data().at("pictures"), kind);
   if (room.contains("wall")) decor.wall_finish = room.at("wall").get<std::string>();
   // A style that has walls of its own goes before what such rooms mostly look like.
-  const bool strong = style != nullptr && (style->contains("walls") || style->contains("wall"));
+  const bool strong = style != nullptr && (style->contains("wall") || style->value("own_floor", false));
   const bool own_floor = style != nullptr && style->contains("floors") && (strong || !room.value("plain", false));
   decor.floor = one_of(own_floor ? style->at("floors") : room.at("floors"), chance).get<std::string>();
   const bool plain = room.value("plain", false);
-  decor.wall = color_of(one_of(decor_data().at(plain ? "plain_walls" : "walls"), chance >> 8));
+  decor.wall = color_of_json(one_of(decor_data().at(plain ? "plain_walls" : "walls"), chance >> 8));
   if (room.value("tiled", false)) decor.wall_finish = decor_data().at("tiled_wall").get<std::string>();
   const std::string& floor = layout.room.floor_material.empty() ? decor.floor : layout.room.floor_material;
   decor.woods = woods_on(floor_name(floor), chance >> 16);
   if (is_childs(kind, layout.prompt)) {
-    take_palette(decor, child_palette(layout.prompt));
+    decor.accents = palette_of(child_palette(layout.prompt));
     decor.pictures = says_one_of(layout.prompt, "grown_words") ? "" : "child";
     decor.woods = {"birch", "lacquer"};
   } else {
-    take_palette(decor, one_of(decor_data().at("palettes"), chance >> 24));
+    decor.accents = accents_beside(said_of_things(layout), palette_of(one_of(decor_data().at("palettes"), chance >> 24)));
   }
-  if (style != nullptr) decor = decor_of_thing(decor, layout.prompt);
+  if (style != nullptr) take_style(decor, named);
   if (style != nullptr && style->contains("walls") && decor.wall_finish.empty())
-    decor.wall = color_of(one_of(style->at("walls"), chance >> 8));
+    decor.wall = color_of_json(one_of(style->at("walls"), chance >> 8));
   if (style != nullptr) take_shell(decor, *style);
   take_conditions(decor, layout.prompt);
+  take_view(decor, layout.prompt);
   decor.shelves_said = shelves_said(layout.prompt);
   decor.parts = part_looks(layout.prompt);
   take_room_look(decor, room_look(layout.prompt), kind, style == &decor_data().at("moods").at("dark"));
+  if (style != nullptr && style->contains("parts")) {
+    for (const auto& [part, look] : style->at("parts").items()) decor.parts.emplace(part, part_look_of(look.get<std::string>()));
+  }
+  decor.scheme_walls = decor.colors_said && !says_walls(layout.prompt);
+  decor.of_things = thing_parts(layout);
+  take_fittings(decor);
+  suit_floor(decor, room, chance);
   if (const auto accents = decor.parts.find("accents"); accents != decor.parts.end() && !accents->second.colors.empty())
     decor.accents = accents->second.colors;
   return decor;
@@ -228,7 +261,7 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
 double wear_said(std::string_view text) {
   double wear = 0;
   for (const auto& [words, share] : decor_data().at("wear").items()) {
-    for (const std::string& word : words_of(text)) {
+    for (const std::string& word : words_of(without_not_worn(lower_case(text)))) {
       if (lists(words, word)) wear = std::max(wear, share.get<double>());
     }
   }
@@ -245,14 +278,12 @@ std::string shelf_contents_named(std::string_view text) {
 }
 
 Decor decor_of_thing(const Decor& room, std::string_view text) {
-  const auto [name, style] = style_of(text);
-  if (style == nullptr) return room;
+  const RoomStyle style = style_of(text);
+  if (style.data == nullptr) return room;
   Decor decor = room;
-  decor.style = name;
-  decor.woods.clear();
-  for (const Json& wood : style->at("woods")) decor.woods.push_back(wood.get<std::string>());
-  decor.metal = style->value("metal", room.metal);
-  if (style->contains("palette")) take_palette(decor, decor_data().at("palettes")[style->at("palette").get<std::size_t>()]);
+  take_style(decor, style);
+  if (room.colors_said) decor.accents = room.accents;
+  if (room.woods_said) decor.woods = room.woods;
   return decor;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,18 +23,25 @@ struct Decor {
   std::string metal;                // instead of steel; empty: steel
   std::vector<Color> accents;       // of cloth; empty: as of old
   std::map<std::string, std::string, std::less<>> shelves_said;  // contents by the word for what holds them ("shelf": "toys")
-  bool parapet = false;      // out of doors: walls that nothing is let into are no higher than a railing
-  bool colors_said = false;  // the accents are the text's own
-  bool woods_said = false;   // the woods are the text's own
-  bool all = false;          // the furniture as well has these colours and woods, where nothing was said of it
-  std::string cases;         // what lies in glass cases of which nothing was said; empty: nothing
-  std::string shelves;       // what stands on a shelf of which nothing was said ("goods", "towels"); empty: books
-  std::string pictures;      // what pictures show in rooms of this kind ("child", "chart"); empty: landscapes and compositions
-  double daylight = 1;       // a share of the usual light from without
-  double wear = 0;           // 0: new, 1: as worn and dirty as can be
-  bool skirting = true;      // boards along the foot of plastered walls
-  std::string door, window;  // words for doors and windows of which nothing was said ("plank", "arched")
-  PartLooks parts;           // of parts, as the text says
+  bool parapet = false;          // out of doors: walls that nothing is let into are no higher than a railing
+  bool colors_said = false;      // the accents are the text's own
+  bool scheme_walls = false;     // what colours the walls have is said of the whole room alone
+  bool woods_said = false;       // the woods are the text's own
+  bool all = false;              // the furniture as well has these colours and woods, where nothing was said of it
+  std::string cases;             // what lies in glass cases of which nothing was said; empty: nothing
+  std::string shelves;           // what stands on a shelf of which nothing was said ("goods", "towels"); empty: books
+  std::string pictures;          // what pictures show in rooms of this kind ("child", "chart"); empty: landscapes and compositions
+  double daylight = 1;           // a share of the usual light from without
+  double wear = 0;               // 0: new, 1: as worn and dirty as can be
+  bool skirting = true;          // boards along the foot of plastered walls
+  std::string view;              // a word for what is seen behind windows ("snow"); empty: the sky
+  std::string door, window;      // words for doors and windows of which nothing was said ("plank", "arched")
+  PartLooks parts;               // of parts, as the text says
+  ThingParts of_things;          // of parts of single things, as the text says
+  std::string rug;               // what is woven into rugs ("diamonds"); empty: by chance
+  std::optional<Color> leather;  // of which nobody said the colour; nothing: brown
+  std::vector<Color> unwanted;   // what nobody asked for is not to be of these
+  std::map<std::string, std::string, std::less<>> others;  // surfaces by those that give way to them
   // A wood for a thing, where nobody said which: the room's. Stands for oak and walnut only.
   std::string_view wood_for(std::string_view usual, std::uint64_t kind) const;
 };

@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <vector>
 
+#include "layoutbox/base/words.h"
 #include "layoutbox/furnish/decor_data.h"
+#include "layoutbox/furnish/prompt_words.h"
 
 namespace layoutbox {
 
@@ -17,17 +21,49 @@ std::string lower_case(std::string_view text) {
 namespace {
 
 using nlohmann::json;
+using Words = std::vector<std::string>;
 
-constexpr std::size_t kLongestName = 24;  // characters that tell a thing's name from a style
+constexpr std::size_t kLongestPhrase = 3;  // words of a style
+
+// All styles by their phrases ("art_deco").
+const std::map<std::string, RoomStyle, std::less<>>& styles() {
+  static const auto all = [] {
+    std::map<std::string, RoomStyle, std::less<>> by_phrase;
+    for (const auto& [phrases, style] : decor_data().at("styles").items()) {
+      const std::string first = phrases.substr(0, phrases.find(' '));
+      for (std::size_t at = 0; at < phrases.size();) {
+        const std::size_t end = std::min(phrases.find(' ', at), phrases.size());
+        by_phrase.emplace(phrases.substr(at, end - at), RoomStyle{style.value("like", first), &style});
+        at = end + 1;
+      }
+    }
+    return by_phrase;
+  }();
+  return all;
+}
+
+std::string joined(const Words& words, std::size_t from, std::size_t count, char by) {
+  std::string all;
+  for (std::size_t i = from; i < std::min(from + count, words.size()); ++i) all += (all.empty() ? "" : std::string(1, by)) + words[i];
+  return all;
+}
 
 // "Loft bed": words of a style that are of a thing's name.
-bool names_a_thing(std::string_view text) {
-  const std::string lower = lower_case(text);
+bool names_a_thing(const Words& words, std::size_t at) {
   return std::ranges::any_of(decor_data().at("no_styles"), [&](const json& name) {
-    const auto phrase = name.get<std::string>();
-    const bool over = lower.size() <= phrase.size() || std::isalpha(static_cast<unsigned char>(lower[phrase.size()])) == 0;
-    return over && lower.starts_with(phrase);
+    const Words phrase = words_of(name.get<std::string>());
+    return at + phrase.size() <= words.size() && std::equal(phrase.begin(), phrase.end(), words.begin() + static_cast<std::ptrdiff_t>(at));
   });
+}
+
+// Whether a thing's own name follows, before any sign: "a Moroccan brass lantern".
+bool is_of_thing(const Words& words, std::size_t after, std::span<const std::string> things) {
+  constexpr std::size_t kReach = 3;  // words
+  for (std::size_t i = after; i < std::min(words.size(), after + kReach); ++i) {
+    if (is_sign(words[i]) || is_room_word(words[i]) || words[i] == "style" || words[i] == "and" || words[i] == "with") return false;
+    if (std::ranges::find(things, singular_of(words[i])) != things.end()) return true;
+  }
+  return false;
 }
 
 // "make it dark": where no style is named, what the room is to feel like.
@@ -41,24 +77,61 @@ RoomStyle mood_of(std::string_view text) {
   return {};
 }
 
+// What a room is like that is not to be of that style.
+RoomStyle instead_of(const std::string& unwanted) {
+  for (const auto& [names, other] : decor_data().at("instead_of_styles").items()) {
+    if (lists(names, unwanted)) return styles().at(other.get<std::string>());
+  }
+  return {};
+}
+
+// The styles that a text names, as it goes.
+class StyleReader {
+ public:
+  StyleReader(std::string_view text, std::span<const std::string> things) : words_(words_and_signs(text)), things_(things) {}
+
+  RoomStyle read() {
+    for (std::size_t at = 0; at < words_.size();) at += std::max<std::size_t>(1, read_at(at));
+    if (wanted_.data == nullptr) wanted_ = weak_;
+    return wanted_.data == nullptr && !unwanted_.empty() ? instead_of(unwanted_) : wanted_;
+  }
+
+ private:
+  // How many words were a style's.
+  std::size_t read_at(std::size_t at) {
+    for (std::size_t n = std::min(kLongestPhrase, words_.size() - at); n > 0; --n) {
+      const auto found = styles().find(joined(words_, at, n, '_'));
+      const bool of_people = at > 0 && is_in_list("not_styles_after", words_[at - 1]);  // "in their 60s"
+      if (found == styles().end() || of_people || names_a_thing(words_, at)) continue;
+      take(found->second, at, n);
+      return n;
+    }
+    return 0;
+  }
+
+  void take(const RoomStyle& style, std::size_t at, std::size_t length) {
+    if (is_banned_at(words_, at)) {
+      unwanted_ = style.name;
+      return;
+    }
+    // Said of two things, it is how the room is meant.
+    if (is_of_thing(words_, at + length, things_) && of_things_++ == 0) return;
+    RoomStyle& taken = style.data->value("weak", false) ? weak_ : wanted_;
+    if (taken.data == nullptr) taken = style;
+  }
+
+  Words words_;
+  std::span<const std::string> things_;
+  RoomStyle wanted_, weak_;
+  std::string unwanted_;
+  int of_things_ = 0;
+};
+
 }  // namespace
 
-RoomStyle style_of(std::string_view text) {
-  std::string word;
-  for (std::size_t i = 0; i <= text.size(); ++i) {
-    const char c = i < text.size() ? static_cast<char>(std::tolower(static_cast<unsigned char>(text[i]))) : ' ';
-    if (std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '-') {
-      word += c;
-      continue;
-    }
-    if (word.size() > 2 && !names_a_thing(text.substr(i - word.size(), kLongestName))) {
-      for (const auto& [words, style] : decor_data().at("styles").items()) {
-        if (lists(words, word)) return {words.substr(0, words.find(' ')), &style};
-      }
-    }
-    word.clear();
-  }
-  return mood_of(text);
+RoomStyle style_of(std::string_view text, std::span<const std::string> things) {
+  const RoomStyle style = StyleReader(text, things).read();
+  return style.data == nullptr ? mood_of(text) : style;
 }
 
 }  // namespace layoutbox

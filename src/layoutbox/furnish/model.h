@@ -35,6 +35,9 @@ struct Mesh {
 //   tatami    mats `scale` long and half as wide in running bond, rush along u, edged with second
 //   flags     slabs of stone `scale` long and 0.6 of it wide in running bond, shades of base, joints of second
 //   flowers   blossoms of second, about one in each square of edge `scale`, on base
+//   rosettes  square tiles of edge `scale`, figures of second on base
+//   logs      round logs along u, each `scale` high, second where two meet
+//   glazed    square tiles of edge `scale`, each a shade of base of its own, joints of second
 //   marble    base with thin turbulent veins of second about `scale` apart
 //   terrazzo  base with small chips of second and darker ones about `scale` in size
 //   concrete  base with soft clouds of second about `scale` in size

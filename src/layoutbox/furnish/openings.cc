@@ -34,8 +34,11 @@ void add_frame(OpeningBuilder& b) {
 
 // Where nothing was said of it, as such rooms have it.
 Opening in_style(Opening opening, const Decor& decor) {
-  const std::string& words = opening.type == OpeningType::kWindow ? decor.window : decor.door;
-  if (!opening.attributes.empty() || words.empty()) return opening;
+  const bool window = opening.type == OpeningType::kWindow;
+  if (window && !decor.view.empty()) opening.attributes.insert(opening.attributes.begin(), decor.view);
+  const std::string& words = window ? decor.window : decor.door;
+  const std::size_t seen = window && !decor.view.empty() ? 1 : 0;
+  if (opening.attributes.size() > seen || words.empty()) return opening;
   for (std::size_t at = 0; at < words.size();) {
     const std::size_t end = std::min(words.find(',', at), words.size());
     opening.attributes.push_back(words.substr(at, end - at));

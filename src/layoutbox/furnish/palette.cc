@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::json;
 
 // "#" stands for a gap that no phrase reaches over.
-std::vector<std::string> words_of(std::string_view text) {
+std::vector<std::string> words_and_gaps(std::string_view text) {
   std::vector<std::string> words(1);
   for (const char c : text) {
     const auto u = static_cast<unsigned char>(c);
@@ -79,17 +79,17 @@ Tables read_tables() {
     tables.surfaces.push_back(surface_of(json));
     const NamedSurface& named = tables.surfaces.back();
     tables.by_name.emplace(named.surface.name, index);
-    tables.by_phrase.emplace(phrase(words_of(named.surface.name)), index);
-    for (const std::string& words : named.words) tables.by_phrase.emplace(phrase(words_of(words)), index);
+    tables.by_phrase.emplace(phrase(words_and_gaps(named.surface.name)), index);
+    for (const std::string& words : named.words) tables.by_phrase.emplace(phrase(words_and_gaps(words)), index);
   }
-  for (const auto& [words, color] : colors.at("colors").items()) tables.colors.emplace(phrase(words_of(words)), color_of(color));
+  for (const auto& [words, color] : colors.at("colors").items()) tables.colors.emplace(phrase(words_and_gaps(words)), color_of(color));
   for (const auto& [word, modifier] : colors.at("modifiers").items()) {
     tables.modifiers.emplace(word,
                              ColorModifier{color_of(modifier.at("color")), modifier.at("share").get<double>(),
                                            modifier.contains("alone") ? std::optional(color_of(modifier.at("alone"))) : std::nullopt});
   }
   const auto note = [&](std::string_view said) {
-    for (std::string& word : words_of(said)) tables.look_words.insert(std::move(word));
+    for (std::string& word : words_and_gaps(said)) tables.look_words.insert(std::move(word));
   };
   for (const auto& [said, index] : tables.by_phrase) {
     if (tables.surfaces[index].kind != "floor") note(said);
@@ -126,7 +126,7 @@ const NamedSurface* SurfaceWish::fitting(const NamedSurface& like) const {
 
 SurfaceWish read_wish(std::string_view text, std::span<const std::string> skip) {
   SurfaceWish wish;
-  const std::vector<std::string> words = words_of(text);
+  const std::vector<std::string> words = words_and_gaps(text);
   std::optional<ColorModifier> modifier;
   std::optional<Color> alone;
   for (std::size_t i = 0; i < words.size();) {
@@ -141,8 +141,8 @@ SurfaceWish read_wish(std::string_view text, std::span<const std::string> skip) 
       const auto material = tables().by_phrase.find(part);
       const auto color = tables().colors.find(part);
       if (material != tables().by_phrase.end()) wish.materials.push_back(&tables().surfaces[material->second]);
-      if (color != tables().colors.end() && !wish.color) {
-        wish.color = modifier ? mixed(color->second, modifier->color, modifier->share) : color->second;
+      if (color != tables().colors.end() && !wish.second) {
+        (wish.color ? wish.second : wish.color) = modifier ? mixed(color->second, modifier->color, modifier->share) : color->second;
       }
       if (material != tables().by_phrase.end() || color != tables().colors.end()) used = n;
     }
@@ -170,8 +170,8 @@ Surface colored(const NamedSurface& named, const Color& color) {
   if (!from->tint && from->kind != "wood" && from->kind != "leather" && from->kind != "floor") return surface;
   const std::string& texture = from->surface.texture;
   const double dark = std::max({color.r, color.g, color.b}), pale = std::min({color.r, color.g, color.b});
-  const bool checker = texture == "checker";
-  if (checker && (dark < 0.2 || pale > 0.8)) return surface;  // black and white are its own two
+  const bool checker = texture == "checker" || texture == "rosettes";  // of two colours, the second of which is the one that is said
+  if (checker && (dark < 0.2 || pale > 0.8)) return surface;           // black and white are its own two
   (checker ? surface.second : surface.base) = color;
   const bool printed = from->kind == "floor" && (texture == "stripes" || texture == "flowers");  // on paper of that colour
   if (!checker)

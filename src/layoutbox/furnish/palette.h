@@ -27,7 +27,7 @@ const NamedSurface& named_surface(std::string_view name);
 
 // What a text asks of a surface: "dark green velvet", "white wooden".
 struct SurfaceWish {
-  std::optional<Color> color;
+  std::optional<Color> color, second;          // second: of "black and cream"
   std::vector<const NamedSurface*> materials;  // in the order of the text
   // The first that can be had where `like` is the usual surface: soft for soft, hard for hard. Null where there is none.
   const NamedSurface* fitting(const NamedSurface& like) const;

@@ -7,9 +7,9 @@
 namespace layoutbox {
 namespace {
 
-const std::set<std::string> kTextures{"",       "wood",     "planks",   "parquet", "tiles",  "checker", "bricks",
-                                      "marble", "terrazzo", "concrete", "plaster", "fabric", "carpet",  "leather",
-                                      "wicker", "stripes",  "brushed",  "tatami",  "flags",  "flowers"};
+const std::set<std::string> kTextures{"",         "wood",     "planks",  "parquet", "tiles",    "checker", "bricks", "marble",
+                                      "terrazzo", "concrete", "plaster", "fabric",  "carpet",   "leather", "wicker", "stripes",
+                                      "brushed",  "tatami",   "flags",   "flowers", "rosettes", "logs",    "glazed"};
 
 TEST(Palette, SurfacesAreNamedOnceAndUseKnownTextures) {
   std::set<std::string> names;

@@ -4,8 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <ranges>
 #include <span>
+
+#include "layoutbox/furnish/decor_data.h"
+#include "layoutbox/furnish/room_look.h"
 
 namespace layoutbox::kit {
 namespace {
@@ -32,6 +36,19 @@ std::vector<std::string> split(const std::string& text) {
     }
   }
   return words;
+}
+
+constexpr std::size_t kNoTurn = ~std::size_t{0};
+
+// Which of several colours a kind has, so that all of them are seen; none where it is left to chance.
+std::size_t turn_of(const std::string& category) {
+  const std::string kind = category.substr(category.rfind('_') + 1);
+  std::size_t turn = 0;
+  for (const nlohmann::json& kinds : decor_data().at("turns")) {
+    if (lists(kinds.get_ref<const std::string&>(), kind)) return turn;
+    ++turn;
+  }
+  return kNoTurn;
 }
 
 // What was said of the object itself.
@@ -67,6 +84,7 @@ Piece::Piece(const PlacedObject& object, const CatalogEntry& entry, std::vector<
   std::vector<std::string> own_name = split(lower_words(object.category));
   for (const std::string& word : split(lower_words(entry.name))) own_name.push_back(word);
   wish_ = read_wish(said_of(object), own_name);
+  leave_to_parts();
   take_part_look(entry);
   said_materials_ = wish_.materials.size();
   const SurfaceWish usual = read_wish(usual_look(entry));
@@ -88,6 +106,34 @@ void Piece::take_part_look(const CatalogEntry& entry) {
   if (look->material != nullptr) wish_.materials.push_back(look->material);
 }
 
+// "A bed with an emerald velvet headboard": what is said of a part is not of the rest.
+void Piece::leave_to_parts() {
+  const auto found = decor_.of_things.find(lower_words(object_.name));
+  if (found == decor_.of_things.end()) return;
+  for (const auto& [part, look] : found->second) {
+    if (wish_.color && std::ranges::find(look.colors, *wish_.color) != look.colors.end()) wish_.color.reset();
+    std::erase(wish_.materials, look.material);
+  }
+}
+
+const PartLook* Piece::own_part(std::string_view part) const {
+  const auto found = decor_.of_things.find(lower_words(object_.name));
+  if (found == decor_.of_things.end()) return nullptr;
+  const auto look = found->second.find(part);
+  return look == found->second.end() ? nullptr : &look->second;
+}
+
+int Piece::own_part_or(std::string_view part, std::string_view usual, int (Piece::*otherwise)(std::string_view)) {
+  const PartLook* look = own_part(part);
+  return look == nullptr ? (this->*otherwise)(usual) : look_surface(*look, usual);
+}
+
+// What is had instead of a surface that the room is not to have.
+std::string_view Piece::wanted(std::string_view name) const {
+  const auto other = decor_.others.find(name);
+  return other == decor_.others.end() ? name : std::string_view(other->second);
+}
+
 const PartLook* Piece::part_look(std::string_view part) const {
   const auto found = decor_.parts.find(part);
   return found == decor_.parts.end() ? nullptr : &found->second;
@@ -95,10 +141,13 @@ const PartLook* Piece::part_look(std::string_view part) const {
 
 int Piece::part(std::string_view part, std::string_view usual) {
   const PartLook* look = part_look(part);
-  if (look == nullptr) return named(usual);
-  const NamedSurface& surface = look->material != nullptr ? *look->material : named_surface(usual);
-  if (look->colors.empty()) return palette_.add(surface.surface);
-  return palette_.add(colored(surface.tint || surface.kind != "stone" ? surface : named_surface("lacquer"), look->colors.front()));
+  return look == nullptr ? named(usual) : look_surface(*look, usual);
+}
+
+int Piece::look_surface(const PartLook& look, std::string_view usual) {
+  const NamedSurface& surface = look.material != nullptr ? *look.material : named_surface(usual);
+  if (look.colors.empty()) return palette_.add(surface.surface);
+  return palette_.add(colored(surface.tint || surface.kind != "stone" ? surface : named_surface("lacquer"), look.colors.front()));
 }
 
 double Piece::number(std::string_view key, double otherwise) const {
@@ -156,12 +205,20 @@ Surface Piece::asked(std::string_view usual, bool with_color) const {
   const auto said = std::span(wish_.materials).first(said_materials_);
   if (fitting == nullptr || std::find(said.begin(), said.end(), fitting) == said.end()) {
     const NamedSurface& now = fitting != nullptr ? *fitting : like;
-    const bool other_metal = now.surface.name == "steel" && !decor_.metal.empty();
+    // What is all of steel (a fridge) may be black, never of brass.
+    const bool noble = with_color && named_surface(decor_.metal.empty() ? "steel" : decor_.metal).surface.texture.empty() &&
+                       decor_.metal != "black_metal" && decor_.metal != "chrome";
+    const bool other_metal = now.surface.name == "steel" && !decor_.metal.empty() && !noble;
     const std::string_view own = other_metal ? std::string_view(decor_.metal) : decor_.wood_for(now.surface.name, kind_seed_);
     if (own != now.surface.name) fitting = &named_surface(own);
+    // Of a thing that is all of metal, what is painted is more likely than what is gilded.
+    const std::string_view wanted_name = wanted(fitting != nullptr ? fitting->surface.name : like.surface.name);
+    if (wanted_name != (fitting != nullptr ? fitting->surface.name : like.surface.name))
+      fitting = &named_surface(with_color && now.kind == "metal" ? "painted_metal" : wanted_name);
   }
   const NamedSurface& chosen = fitting != nullptr ? *fitting : like;
   if (said.empty() && takes_room_color(chosen)) return colored(chosen, accent());
+  if (chosen.surface.name == "leather" && decor_.leather && !color_asked()) return colored(chosen, *decor_.leather);
   Surface surface = chosen.surface;
   if (!with_color) {
     // A colour said together with a hard material is that material's: "white wooden bed".
@@ -213,11 +270,21 @@ std::string Piece::said_contents() const {
 }
 
 Color Piece::accent() const {
-  static constexpr Color kAccents[] = {{0.36, 0.52, 0.66}, {0.55, 0.63, 0.50}, {0.74, 0.47, 0.36}, {0.80, 0.66, 0.38}, {0.50, 0.53, 0.58},
-                                       {0.38, 0.50, 0.48}, {0.72, 0.62, 0.52}, {0.62, 0.40, 0.42}, {0.44, 0.46, 0.60}, {0.78, 0.74, 0.68}};
+  static constexpr Color kCalm[] = {{0.80, 0.75, 0.66}, {0.62, 0.66, 0.60}, {0.60, 0.64, 0.68}, {0.72, 0.62, 0.52}, {0.84, 0.80, 0.73}};
   Random random(kind_seed_);
+  const std::size_t turn = turn_of(object_.category);
+  if (decor_.colors_said && turn != kNoTurn)
+    return decor_.accents[(turn + (decor_.accents.size() == 2 ? decor_.chance % 2 : 0)) % decor_.accents.size()];
   if (!decor_.accents.empty()) return decor_.accents[random.below(decor_.accents.size())];
-  return kAccents[random.below(std::size(kAccents))];
+  return kCalm[random.below(std::size(kCalm))];
+}
+
+Color Piece::second_accent() const {
+  if (wish_.second) return *wish_.second;
+  const Color first = wish_.color.value_or(accent());
+  const auto other = std::ranges::find_if(decor_.accents, [&](const Color& color) { return !is_much_like(color, first); });
+  const bool own = wish_.color && !decor_.colors_said;  // what the room has besides need not go with it
+  return own || other == decor_.accents.end() ? Color{0.92, 0.89, 0.82} : *other;
 }
 
 int Piece::main_accent(std::string_view usual) {

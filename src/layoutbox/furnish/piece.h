@@ -62,11 +62,14 @@ class Piece {
   int solid_main(std::string_view usual);
   // A frame that is painted with the rest where a colour is asked: a red chair has red legs.
   int painted_frame(std::string_view usual) { return color_asked() ? main(usual) : frame(usual); }
-  int named(std::string_view name) { return palette_.named(name); }
+  int named(std::string_view name) { return palette_.named(wanted(name)); }
   int tinted(std::string_view name, const Color& color) { return palette_.add(colored(named_surface(name), color)); }
   // A part as the text has it of such parts in the room ("butcher block counters"), else as is usual.
   int part(std::string_view part, std::string_view usual);
   const PartLook* part_look(std::string_view part) const;  // null: nothing was said
+  // A part of this very thing as the text has it ("a marble top"); where it says nothing, what `otherwise` gives.
+  const PartLook* own_part(std::string_view part) const;
+  int own_part_or(std::string_view part, std::string_view usual, int (Piece::*otherwise)(std::string_view));
   // Whether the object or its room is of that style ("modern", "rustic", …).
   bool is_style(std::string_view style) const;
   // One of `n` ways to draw a kind, by its style and chance: the same for all things of a kind in a room.
@@ -81,6 +84,10 @@ class Piece {
   const std::string& pictures() const { return decor_.pictures; }
   // A colour for what nobody gave a colour; the same for all things of a kind, so that a room looks of a piece.
   Color accent() const;
+  // Another colour that goes with it: the second that was said of the thing, else of the room, else what is calm.
+  Color second_accent() const;
+  // What is woven into rugs of the room's style; empty: anything.
+  const std::string& rug_pattern() const { return decor_.rug; }
   // main with that accent where no colour was asked.
   int main_accent(std::string_view usual);
   // Whether the text says what colours the whole room has.
@@ -112,6 +119,9 @@ class Piece {
 
   void part_coincident_faces();
   void take_part_look(const CatalogEntry& entry);
+  void leave_to_parts();
+  std::string_view wanted(std::string_view name) const;
+  int look_surface(const PartLook& look, std::string_view usual);
   bool takes_room_color(const NamedSurface& surface) const;
   Surface asked(std::string_view usual, bool with_color) const;
 

@@ -7,94 +7,136 @@
 #include "layoutbox/base/words.h"
 #include "layoutbox/furnish/decor_data.h"
 #include "layoutbox/furnish/palette.h"
+#include "layoutbox/furnish/prompt_words.h"
 
 namespace layoutbox {
 namespace {
 
-using Json = nlohmann::json;
+bool is_color_word(const std::string& word) { return is_in_list("color_words", word); }
 
-// The colours of words that name nothing but colours ("pink and white"); none where another word is among them.
-std::vector<Color> only_colors(std::string_view words) {
-  std::vector<Color> colors;
+// "Sage green", "white oak": two words of one colour or stuff.
+bool are_one_look(const std::string& two) {
+  const std::vector<std::string> words = words_of(two);
+  if (!is_look_word(words.front()) || !is_look_word(words.back()) || is_color_word(words.front())) return false;
+  const SurfaceWish wish = read_wish(two);
+  return !wish.second && wish.materials.size() + (wish.color ? 1U : 0U) == 1U;
+}
+
+// What words say that name nothing but colours, woods and metals ("pink and white"); nothing where another word is among them.
+ColorScheme only_looks(std::string_view text) {
+  ColorScheme scheme;
   std::string two;
-  for (const std::string& word : words_of(words)) {
-    if (const SurfaceWish wish = read_wish(two.empty() ? word : two + " " + word); wish.color) {
-      colors.push_back(*wish.color);
-      two.clear();
-    } else if (lists(decor_data().at("color_words").get_ref<const std::string&>(), word)) {
+  const std::vector<std::string> words = words_of(text);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    std::string word = words[i];
+    if (is_color_word(word)) {
       two = word;
+      continue;
+    }
+    if (i + 1 < words.size() && are_one_look(word + " " + words[i + 1])) word += " " + words[++i];
+    const SurfaceWish wish = read_wish(two.empty() ? word : two + " " + word);
+    const NamedSurface* stuff = wish.materials.empty() ? nullptr : wish.materials.front();
+    if (wish.color && is_look_word(words[i])) {
+      scheme.colors.push_back(*wish.color);
+    } else if (stuff != nullptr && stuff->kind == "wood") {
+      scheme.woods.push_back(stuff->surface.name);
+    } else if (stuff != nullptr && stuff->kind == "metal") {
+      scheme.metal = stuff->surface.name;
     } else {
       return {};
     }
+    two.clear();
   }
-  return colors;
+  return scheme;
 }
 
-// Those of a clause that names nothing but colours ("colours: sage and cream"), of an item of a list that says so of everything ("mostly
-// black", "purple vibes"), of the end of a list ("…, a bean bag, pink and beige"; one colour alone is of what stands before it), and of the
-// room's kind at once ("a nursery in soft yellow and white"): of the whole room.
-std::vector<Color> colors_of_clause(std::string_view clause, bool opens) {
-  constexpr std::size_t kOpening = 40;  // characters
-  std::vector<Color> said = only_colors(clause);
-  for (std::size_t at = 0; at < clause.size() && said.empty();) {
-    const std::size_t end = std::min(clause.find(',', at), clause.size());
-    const std::string_view item = clause.substr(at, end - at);
-    const bool last = end == clause.size() && at > 0;
-    const std::vector<std::string> words = words_of(item);
-    const bool of_all = std::ranges::any_of(
-        words, [](const std::string& word) { return lists(decor_data().at("color_markers").get_ref<const std::string&>(), word); });
-    if (std::vector<Color> colors = only_colors(item); of_all || (last && colors.size() > 1)) said = std::move(colors);
-    at = end + 1;
-  }
-  const std::size_t in = clause.find(" in ");
-  if (said.empty() && opens && in < kOpening && clause.substr(0, in).find(" with ") == std::string_view::npos)
-    said = only_colors(clause.substr(in + 4));
-  return said;
-}
-
-// Colours that are no thing's: "in soft greens", "earth tones", and those before the room's own name ("a blue and white bedroom").
-std::vector<Color> theme_of_clause(std::string_view clause, bool opens) {
-  const Json& themes = decor_data().at("color_themes");
-  const std::vector<std::string> words = words_of(clause);
-  std::vector<Color> colors;
-  std::string before, two;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const std::string pair = i + 1 < words.size() ? words[i] + " " + words[i + 1] : "";
-    for (const std::string& said : {pair, words[i]}) {
-      if (!themes.contains(said) || before == "of") continue;
-      for (const Json& name : themes.at(said)) colors.push_back(*read_wish(before + " " + name.get<std::string>()).color);
-      break;
-    }
-    before = words[i];
-  }
-  if (!colors.empty() || !opens) return colors;
-  for (const std::string& word : words) {
-    if (const SurfaceWish wish = read_wish(two.empty() ? word : two + " " + word); wish.color && wish.materials.empty()) {
-      colors.push_back(*wish.color);
-      two.clear();
-    } else if (word.ends_with("room") || lists(decor_data().at("room_words").get_ref<const std::string&>(), word)) {
-      return colors;
-    } else if (lists(decor_data().at("color_words").get_ref<const std::string&>(), word)) {
-      two = word;
-    } else {
-      break;
-    }
+// "A palette of terracotta, sand and cream": what follows to the end of the clause.
+ColorScheme scheme_named(std::string_view clause) {
+  constexpr std::string_view kOf = " of ";
+  for (std::size_t of = clause.find(kOf); of != std::string_view::npos; of = clause.find(kOf, of + 1)) {
+    const std::vector<std::string> before = words_of(clause.substr(0, of));
+    if (!before.empty() && is_in_list("shade_words", before.back())) return only_looks(clause.substr(of + kOf.size()));
   }
   return {};
 }
 
-}  // namespace
-
-std::vector<Color> room_colors(std::string_view prompt) {
-  std::vector<Color> colors;
-  for (std::size_t at = 0; at < prompt.size();) {
-    const std::size_t end = std::min(prompt.find_first_of(".;:!?\n", at), prompt.size());
-    std::vector<Color> said = colors_of_clause(prompt.substr(at, end - at), at == 0);
-    if (said.empty()) said = theme_of_clause(prompt.substr(at, end - at), at == 0);
-    colors.insert(colors.end(), said.begin(), said.end());
+// Those of a clause that names nothing but looks ("colours: sage and cream"), of an item of a list that says so of everything ("mostly
+// black", "purple vibes"), of an item that is colours alone ("Sage and cream, blackout curtains", "…, a bean bag, pink and beige"; one
+// colour is of what stands before it), and of the room's kind at once ("a nursery in soft yellow and white"): of the whole room.
+ColorScheme scheme_of_clause(std::string_view clause, bool opens) {
+  constexpr std::size_t kOpening = 40;  // characters
+  ColorScheme said = scheme_named(clause);
+  if (said.size() > 0) return said;
+  said = only_looks(clause);
+  if (said.colors.empty() && said.size() < 2) said = {};  // "Oak." is of what stands before it
+  for (std::size_t at = 0; at < clause.size() && said.size() == 0;) {
+    const std::size_t end = std::min(clause.find(',', at), clause.size());
+    const std::string_view item = clause.substr(at, end - at);
+    const std::vector<std::string> before = words_of(clause.substr(0, at));
+    const bool own =
+        (end != clause.size() || at > 0) && (before.empty() || !is_look_word(before.back()));  // "a rug in red, blue and white"
+    const std::vector<std::string> words = words_of(item);
+    const bool of_all = std::ranges::any_of(words, [](const std::string& word) { return is_in_list("color_markers", word); });
+    if (ColorScheme looks = only_looks(item); of_all || (own && looks.size() > 1)) said = std::move(looks);
     at = end + 1;
   }
-  return colors;
+  const std::size_t in = clause.find(" in ");
+  if (said.size() == 0 && opens && in < kOpening && clause.substr(0, in).find(" with ") == std::string_view::npos)
+    said = only_looks(clause.substr(in + 4));
+  return said;
+}
+
+// The colours that stand before the room's own name: "a blue and white bedroom", "my daughter wants a pink and grey room".
+std::vector<Color> colors_before_room(const std::vector<std::string>& words) {
+  for (std::size_t at = 0; at < words.size(); ++at) {
+    if (!is_room_word(words[at])) continue;
+    std::size_t from = at;
+    while (from > 0 && (is_look_word(words[from - 1]) || is_color_word(words[from - 1]))) --from;
+    std::string said;
+    for (std::size_t i = from; i < at; ++i) said += words[i] + " ";
+    ColorScheme scheme = only_looks(said);
+    if (scheme.woods.empty() && scheme.metal.empty() && !scheme.colors.empty()) return std::move(scheme.colors);
+  }
+  return {};
+}
+
+// Colours that are no thing's: "in soft greens", "earth tones", and those before the room's own name.
+std::vector<Color> theme_of_clause(std::string_view clause, bool opens) {
+  const nlohmann::json& themes = decor_data().at("color_themes");
+  const std::vector<std::string> words = words_of(clause);
+  std::vector<Color> colors;
+  std::string before;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string pair = i + 1 < words.size() ? words[i] + " " + words[i + 1] : "";
+    for (const std::string& said : {pair, words[i]}) {
+      if (!themes.contains(said) || before == "of" || is_banned_at(words, i)) continue;
+      for (const nlohmann::json& name : themes.at(said)) colors.push_back(*read_wish(before + " " + name.get<std::string>()).color);
+      break;
+    }
+    before = words[i];
+  }
+  return colors.empty() && opens ? colors_before_room(words) : colors;
+}
+
+void append(ColorScheme& all, const ColorScheme& some) {
+  all.colors.insert(all.colors.end(), some.colors.begin(), some.colors.end());
+  all.woods.insert(all.woods.end(), some.woods.begin(), some.woods.end());
+  if (all.metal.empty()) all.metal = some.metal;
+}
+
+}  // namespace
+
+ColorScheme room_scheme(std::string_view prompt) {
+  ColorScheme all;
+  for (std::size_t at = 0; at < prompt.size();) {
+    const std::size_t end = std::min(prompt.find_first_of(".;:!?\n", at), prompt.size());
+    const std::string_view clause = prompt.substr(at, end - at);
+    ColorScheme said = scheme_of_clause(clause, at == 0);
+    if (said.size() == 0) said.colors = theme_of_clause(clause, at == 0);
+    append(all, said);
+    at = end + 1;
+  }
+  return all;
 }
 
 }  // namespace layoutbox

@@ -1,45 +1,19 @@
 #include "layoutbox/furnish/room_look.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "layoutbox/furnish/decor_data.h"
 #include "layoutbox/furnish/palette.h"
+#include "layoutbox/furnish/prompt_words.h"
 #include "layoutbox/furnish/room_colors.h"
 
 namespace layoutbox {
 namespace {
 
 using Words = std::vector<std::string>;
-
-bool is_listed(const char* list, std::string_view word) {
-  return !word.empty() && lists(decor_data().at(list).get_ref<const std::string&>(), word);
-}
-
-// Lower-case words and signs.
-Words words_and_signs(std::string_view text) {
-  Words words;
-  bool open = false;
-  for (const char c : text) {
-    const auto u = static_cast<unsigned char>(c);
-    if (std::isalnum(u) != 0 || u >= 128 || c == '\'') {
-      if (!open) words.emplace_back();
-      words.back() += static_cast<char>(std::tolower(u));
-      open = true;
-      continue;
-    }
-    open = false;
-    if (std::string_view(",.;:!?\n").find(c) != std::string_view::npos) words.emplace_back(1, c == '\n' ? '.' : c);
-  }
-  return words;
-}
-
-bool is_sign(const std::string& word) { return word.size() == 1 && std::ispunct(static_cast<unsigned char>(word[0])) != 0; }
-
-bool is_room(std::string_view word) { return word.ends_with("room") || is_listed("room_words", word); }
 
 // "Dark blue and oak": a row of looks from `at` on.
 struct LookRun {
@@ -62,7 +36,8 @@ LookRun run_at(const Words& words, std::size_t at) {
   for (; i < words.size(); ++i) {
     if (is_look_word(words[i])) {
       said += (said.empty() ? "" : " ") + words[i];
-    } else if (words[i] == "and" || words[i] == "&" || words[i] == "or") {
+    } else if (words[i] == "and" || words[i] == "&" || words[i] == "or" ||
+               (words[i] == "," && i + 1 < words.size() && is_look_word(words[i + 1]))) {
       close(i);
       if (run.looks.empty()) break;
     } else {
@@ -71,7 +46,7 @@ LookRun run_at(const Words& words, std::size_t at) {
   }
   close(i);
   // "Everything white and brass taps": the last one is the taps'.
-  const bool of_thing = i < words.size() && !is_sign(words[i]) && !is_listed("after_looks", words[i]) && !is_room(words[i]);
+  const bool of_thing = i < words.size() && !is_sign(words[i]) && !is_in_list("after_looks", words[i]) && !is_room_word(words[i]);
   if (of_thing && run.end == i && !run.looks.empty()) {
     run.looks.pop_back();
     run.end = ends_before_last;
@@ -87,6 +62,8 @@ void take(RoomLook& look, const LookRun& run) {
       look.woods.push_back((*wood)->surface.name);
     } else if (wish.color) {
       look.colors.push_back(*wish.color);
+    } else if (const auto metal = std::ranges::find(wish.materials, "metal", &NamedSurface::kind); metal != wish.materials.end()) {
+      look.metal = (*metal)->surface.name;
     }
   }
 }
@@ -97,12 +74,15 @@ class RoomLookReader {
 
   RoomLook read() {
     take_bans();
-    look_.colors = room_colors(text());
+    ColorScheme scheme = room_scheme(text());
+    look_.colors = std::move(scheme.colors);
+    look_.woods = std::move(scheme.woods);
+    look_.metal = std::move(scheme.metal);
     const bool colors_said = !look_.colors.empty();
     for (std::size_t i = 0; i < words_.size(); ++i) {
-      if (is_listed("all_words", words_[i])) read_at_all(i, colors_said);
-      if (words_[i] == "in" && is_of_room(i)) read_run(i + 1, colors_said);
-      if (words_[i] == "of" && i > 0 && is_listed("shade_words", words_[i - 1])) read_run(i + 1, colors_said);
+      if (is_in_list("all_words", words_[i])) read_at_all(i, colors_said);
+      if (words_[i] == "in" && (is_of_room(i) || (i > 0 && is_in_list("in_after", words_[i - 1])))) read_run(i + 1, colors_said);
+      if (words_[i] == "of" && i > 0 && is_in_list("shade_words", words_[i - 1])) read_run(i + 1, colors_said);
     }
     return std::move(look_);
   }
@@ -117,13 +97,14 @@ class RoomLookReader {
   // "Nothing beige", "no grey please", "nothing is black": what is left is what is wanted.
   void take_bans() {
     for (std::size_t i = 0; i < words_.size(); ++i) {
-      if (!is_listed("ban_words", words_[i])) continue;
+      if (!is_in_list("ban_words", words_[i])) continue;
       std::size_t at = i + 1;
-      while (at < words_.size() && is_listed("passed_before_looks", words_[at])) ++at;
+      while (at < words_.size() && is_in_list("passed_before_looks", words_[at])) ++at;
       const LookRun run = run_at(words_, at);
       if (run.looks.empty()) continue;
       for (const SurfaceWish& wish : run.looks) {
         if (wish.color) look_.unwanted.push_back(*wish.color);
+        for (const NamedSurface* stuff : wish.materials) look_.unwanted_stuffs.push_back(stuff->surface.name);
       }
       words_.erase(words_.begin() + static_cast<std::ptrdiff_t>(i), words_.begin() + static_cast<std::ptrdiff_t>(run.end));
     }
@@ -146,6 +127,7 @@ class RoomLookReader {
     for (const std::string& wood : said.woods) {
       if (std::ranges::find(look_.woods, wood) == look_.woods.end()) look_.woods.push_back(wood);
     }
+    if (look_.metal.empty()) look_.metal = said.metal;
     for (const Color& color : said.colors) {
       if (!colors_said && std::ranges::find(look_.colors, color) == look_.colors.end()) look_.colors.push_back(color);
     }
@@ -154,7 +136,7 @@ class RoomLookReader {
   // "Everything in the study is …", "the furniture should be …": where the look begins; the end of the text where there is none.
   std::size_t after_is(std::size_t i) const {
     const auto from = words_.begin() + static_cast<std::ptrdiff_t>(i) + 1;
-    const auto passed = [](const std::string& word) { return is_listed("passed_before_looks", word) || is_room(word); };
+    const auto passed = [](const std::string& word) { return is_in_list("passed_before_looks", word) || is_room_word(word); };
     const auto found = std::find_if_not(from, words_.end(), [&](const std::string& word) { return passed(word) && !is_look_word(word); });
     return static_cast<std::size_t>(found - words_.begin());
   }

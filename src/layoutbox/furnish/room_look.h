@@ -10,10 +10,12 @@
 namespace layoutbox {
 
 struct RoomLook {
-  std::vector<Color> colors;       // of cloth and walls
-  std::vector<std::string> woods;  // surfaces of wood, as materials.json names them
-  std::vector<Color> unwanted;     // "nothing beige"
-  bool all = false;                // "everything in black": the furniture as well, where nothing was said of it
+  std::vector<Color> colors;                 // of cloth and walls
+  std::vector<std::string> woods;            // surfaces of wood, as materials.json names them
+  std::string metal;                         // "navy and brass"; empty: none was said
+  std::vector<Color> unwanted;               // "nothing beige"
+  std::vector<std::string> unwanted_stuffs;  // "no walnut"
+  bool all = false;                          // "everything in black": the furniture as well, where nothing was said of it
 };
 
 // "All in dark blue and oak", "pale wood throughout", "in pink and gold with a bed", "no grey please"; empty where all looks are of single

@@ -115,8 +115,14 @@ double mitre(Vec2 along, double own, Vec2 next_along, double next) {
 
 // What a wall is of: as asked, else as the room's look has it.
 Surface wall_surface(const Layout& layout, const Decor& decor, const std::string& asked) {
-  if (!asked.empty()) return surface_for(layout, asked, "plaster", false);
-  if (!decor.wall_finish.empty()) return surface_for(layout, decor.wall_finish, "tiles", false);
+  const SurfaceWish wish = read_wish(asked);
+  const bool of_scheme = decor.scheme_walls && decor.accents.size() > 1 && wish.materials.empty() && wish.color &&
+                         std::ranges::find(decor.accents, *wish.color) != decor.accents.end();
+  if (!asked.empty() && !of_scheme) return surface_for(layout, asked, "plaster", false);
+  if (!decor.wall_finish.empty()) {
+    const Surface usual = surface_for(layout, decor.wall_finish, "tiles", false);
+    return decor.colors_said && usual.texture == "tiles" ? colored(named_surface(usual.name), decor.wall) : usual;
+  }
   return colored(named_surface("plaster"), decor.wall);
 }
 

@@ -73,6 +73,16 @@ bool is_level(const Piece& p) {
       [&](const char* words) { return p.says(words); });
 }
 
+// Instead of glass a curtain on the rail before the tray and along its side, drawn back half way.
+void shower_curtain(Piece& p, double rim) {
+  const int fabric = p.main_accent("cotton");
+  const double z0 = rim + 0.03, z1 = p.h - 0.03, front = -p.d / 2 + 0.004;
+  p.add(fabric, waves(sides(-p.w * 0.02, p.w / 2 - 0.03, front, front + 0.022, z0, z1), 6, 0.006));
+  p.add(fabric, waves(sides(-p.w / 2 + 0.02, -p.w * 0.3, front, front + 0.022, z0, z1), 3, 0.006));
+  Mesh side = waves(sides(-p.d * 0.46, p.d * 0.1, -0.011, 0.011, z0, z1), 6, 0.006);
+  p.add(fabric, posed(std::move(side), moved(p.w / 2 - 0.016, 0, 0) * turned_z(90)));
+}
+
 void shower(Piece& p) {
   const bool level = is_level(p);
   const int tray = p.named(level ? "small_tiles" : "ceramic"), chrome = p.named("chrome"), glass = p.named("glass");
@@ -81,11 +91,13 @@ void shower(Piece& p) {
   const double rim = level ? 0.015 : in != nullptr ? std::max(0.02, in->box.min.z) : std::min(0.08, p.h * 0.05), t = 0.01;
   p.add(tray, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, rim), 0.01));
   p.add(chrome, lathe({{0, 0}, {0.04, 0}, {0.04, 0.0008}, {0, 0.0008}}, 16), moved(0, 0, rim));
+  const bool cloth = p.says("curtain") || p.says("curtained");
+  if (cloth) shower_curtain(p, rim);
   const auto pane = [&](double x0, double x1, double y0, double y1) { p.add(glass, box(sides(x0, x1, y0, y1, rim, p.h - 0.02), 0)); };
-  if (!level) pane(-p.w / 2 + 0.004, p.w / 2 - 0.004, -p.d / 2 + 0.004, -p.d / 2 + 0.004 + t);
-  pane(p.w / 2 - 0.004 - t, p.w / 2 - 0.004, -p.d / 2 + 0.02, p.d / 2 - 0.004);
+  if (!level && !cloth) pane(-p.w / 2 + 0.004, p.w / 2 - 0.004, -p.d / 2 + 0.004, -p.d / 2 + 0.004 + t);
+  if (!cloth) pane(p.w / 2 - 0.004 - t, p.w / 2 - 0.004, -p.d / 2 + 0.02, p.d / 2 - 0.004);
   for (const auto& [x, y] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}}) {
-    if (level && x < 0) continue;
+    if (cloth || (level && x < 0)) continue;
     p.add(chrome, box(sides(x * p.w / 2 - (x > 0 ? 0.018 : 0), x * p.w / 2 + (x > 0 ? 0 : 0.018), y * p.d / 2 - (y > 0 ? 0.018 : 0),
                             y * p.d / 2 + (y > 0 ? 0 : 0.018), rim - 0.002, p.h),
                       0.002));
@@ -100,7 +112,7 @@ void shower(Piece& p) {
     p.add(shell, box(sides(-p.w / 2, -p.w / 2 + 0.04, -p.d / 2 + 0.02, p.d / 2, rim, p.h - 0.05), 0.004));
     return;
   }
-  if (!level) handle(p, chrome, Handle::kVertical, {-p.w * 0.3, -p.d / 2 + 0.004, p.h * 0.5}, 0.3, 0.004);
+  if (!level && !cloth) handle(p, chrome, Handle::kVertical, {-p.w * 0.3, -p.d / 2 + 0.004, p.h * 0.5}, 0.3, 0.004);
   // On the wall behind: a mixer, a rail with a hand shower and its hose; a head above where there is room for it.
   const double y = p.d / 2 - 0.012, deep = in != nullptr ? p.d / 2 - in->box.max.y : 0.06, out = p.d / 2 - deep * 0.92, cx = -0.02;
   p.add(chrome, rod({cx, y, p.h * 0.5}, {cx, y, p.h - 0.06}, 0.009, 8));

@@ -76,7 +76,11 @@ BedLevels levels(const Piece& p) {
   return l;
 }
 
-bool is_upholstered(const Piece& p) { return p.says("upholstered") || p.says("velvet") || p.says("tufted"); }
+bool is_upholstered(const Piece& p) {
+  const PartLook* head = p.own_part("headboard");
+  const bool soft_head = head != nullptr && head->material != nullptr && head->material->soft();
+  return soft_head || p.says("upholstered") || p.says("velvet") || p.says("tufted");
+}
 
 // What a bed is made of and where its parts end.
 struct Bed {
@@ -87,7 +91,8 @@ struct Bed {
 
 Bed bed_of(Piece& p) {
   Bed b{levels(p), p.painted_frame("oak"), p.named("cotton"), 0, 0, 0, 0, 0};
-  b.head_surface = is_upholstered(p) ? p.main_accent("linen") : p.painted_frame("walnut");
+  b.head_surface =
+      p.own_part_or("headboard", is_upholstered(p) ? "linen" : "walnut", is_upholstered(p) ? &Piece::main_accent : &Piece::painted_frame);
   b.duvet = duvet_of(p);
   b.under = b.levels.under > 0 ? b.levels.under : std::min(0.14, b.levels.top * 0.3);
   b.head = std::max(0.02, p.d / 2 - b.levels.head);

@@ -11,8 +11,8 @@ namespace {
 
 // Packets, tins and bottles in a row, as in a shop.
 void goods(Piece& p, const Box& room) {
-  static constexpr Color kPackets[] = {{0.80, 0.16, 0.14}, {0.16, 0.38, 0.70}, {0.94, 0.74, 0.16},
-                                       {0.20, 0.56, 0.30}, {0.93, 0.92, 0.88}, {0.86, 0.46, 0.14}};
+  static constexpr Color kPackets[] = {{0.66, 0.36, 0.30}, {0.40, 0.50, 0.60}, {0.84, 0.72, 0.46},
+                                       {0.46, 0.56, 0.44}, {0.93, 0.92, 0.88}, {0.74, 0.58, 0.42}};
   const Vec size = room.size();
   for (double x = room.min.x + 0.01; x < room.max.x - 0.2;) {
     const int surface = p.tinted("paper", kPackets[p.pick(static_cast<int>(std::size(kPackets)))]);
@@ -94,7 +94,7 @@ void clothes(Piece& p, const Box& room) {
 
 // Pairs of low shoes, toes to the front.
 void shoe_pairs(Piece& p, const Box& room) {
-  static constexpr Color kUppers[] = {{0.92, 0.92, 0.90}, {0.14, 0.14, 0.16}, {0.76, 0.20, 0.18}, {0.20, 0.36, 0.62}, {0.86, 0.66, 0.22}};
+  static constexpr Color kUppers[] = {{0.92, 0.92, 0.90}, {0.14, 0.14, 0.16}, {0.55, 0.34, 0.26}, {0.30, 0.36, 0.46}, {0.72, 0.60, 0.44}};
   const Vec size = room.size();
   const double length = std::min(0.27, size.y - 0.02), wide = 0.09, tall = std::min(0.11, size.z * 0.8), y0 = room.min.y + 0.01;
   const int pairs = std::clamp(static_cast<int>(size.x / 0.25), 1, 6), sole = p.tinted("plastic", {0.95, 0.95, 0.94});
@@ -198,7 +198,7 @@ void toys(Piece& p, const Box& room) {
 
 // Cartons and plastic boxes.
 void boxes(Piece& p, const Box& room) {
-  static constexpr Color kBoxes[] = {{0.30, 0.42, 0.55}, {0.80, 0.80, 0.78}, {0.72, 0.30, 0.22}, {0.25, 0.45, 0.36}};
+  static constexpr Color kBoxes[] = {{0.42, 0.50, 0.58}, {0.80, 0.80, 0.78}, {0.62, 0.44, 0.36}, {0.42, 0.52, 0.46}};
   const Vec size = room.size();
   for (double x = room.min.x + 0.02; x < room.max.x - 0.2;) {
     const double wide = std::min(p.random(0.2, 0.38), room.max.x - 0.01 - x), tall = size.z * p.random(0.45, 0.88);

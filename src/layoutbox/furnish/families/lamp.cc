@@ -155,7 +155,7 @@ std::string_view pendant_surface(const Piece& p) {
        {"metal", "brass", "copper", "steel", "iron", "gold", "chrome", "bronze", "industrial", "surgical", "ceramic", "wooden", "rattan"}) {
     if (p.says(hard)) return "painted_metal";
   }
-  return "lampshade";
+  return p.is_style("industrial") ? "black_metal" : "lampshade";
 }
 
 void pendant(Piece& p) {
@@ -172,7 +172,8 @@ void pendant(Piece& p) {
     return;
   }
   const double r = p.w / 2, tall = std::min({0.3, p.h * 0.6, r * 1.3}), k = p.d / p.w;
-  const int metal = p.named("black_metal"), outside = p.main_accent(pendant_surface(p));
+  const std::string_view shade = pendant_surface(p);  // of no accent: one loud ball spoils a room
+  const int metal = p.named("black_metal"), outside = p.color_asked() || shade != "lampshade" ? p.main(shade) : p.named(shade);
   if (p.word("kind", "") == "globe" || p.says("globe")) {
     const double ball = std::min(r, p.h * 0.46);
     const bool paper = p.category() == "paper_lantern";

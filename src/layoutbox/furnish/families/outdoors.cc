@@ -208,9 +208,19 @@ void car(Piece& p) {
             tyre = p.named("black_plastic"), chrome = p.named("chrome");
   const Pose turn = p.w >= p.d ? Pose{} : turned_z(90);
   const auto add = [&](int s, const Mesh& m) { p.add(s, m, turn); };
-  add(paint, rounded_box(sides(-2.1, 2.1, -0.85, 0.85, 0.28, 0.82), 0.16, 4));
-  add(glass, taper({0.15, 0, 0.8}, {1.25, 0.74}, {0.2, 0, 1.32}, {0.78, 0.6}));
-  add(paint, rounded_box(sides(-0.62, 1.0, -0.62, 0.62, 1.3, 1.38), 0.035, 2));
+  if (p.says("pickup") || p.says("truck")) {  // a cab, and behind it a bed between walls
+    add(paint, rounded_box(sides(-2.1, 0.5, -0.85, 0.85, 0.34, 0.98), 0.1, 3));
+    add(glass, taper({-0.25, 0, 0.96}, {0.75, 0.76}, {-0.2, 0, 1.5}, {0.55, 0.64}));
+    add(paint, rounded_box(sides(-0.78, 0.38, -0.66, 0.66, 1.48, 1.56), 0.035, 2));
+    add(paint, box(sides(0.48, 2.1, -0.85, 0.85, 0.34, 0.62), 0.02));
+    for (const double y : {-1.0, 1.0}) add(paint, box(sides(0.48, 2.1, y < 0 ? -0.85 : 0.77, y < 0 ? -0.77 : 0.85, 0.6, 1.0), 0.02));
+    add(paint, box(sides(2.02, 2.1, -0.8, 0.8, 0.6, 1.0), 0.02));
+    add(tyre, box(sides(0.5, 2.03, -0.77, 0.77, 0.62, 0.64), 0));
+  } else {
+    add(paint, rounded_box(sides(-2.1, 2.1, -0.85, 0.85, 0.28, 0.82), 0.16, 4));
+    add(glass, taper({0.15, 0, 0.8}, {1.25, 0.74}, {0.2, 0, 1.32}, {0.78, 0.6}));
+    add(paint, rounded_box(sides(-0.62, 1.0, -0.62, 0.62, 1.3, 1.38), 0.035, 2));
+  }
   for (const double x : {-1.3, 1.3}) {
     for (const double y : {-1.0, 1.0}) {
       add(tyre, rod({x, y * 0.66, 0.32}, {x, y * 0.88, 0.32}, 0.32, 26));

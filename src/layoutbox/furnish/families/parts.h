@@ -74,6 +74,9 @@ void swung_door(Piece& p, int surface, double z0, double z1, double face, double
 bool is_wicker(const Piece& p);
 void wicker_chair(Piece& p);
 
+// A rug, as it is said or as its room's style has them.
+void rug(Piece& p);
+
 // Pillow-like seat or back cushions side by side.
 void cushions(Piece& p, int surface, const Box& room, int n, double radius);
 

@@ -117,7 +117,7 @@ void chart(Piece& p, PictureSheet& on) {
 // Simple compositions: hills and a sun, blocks of colour, arches.
 void composition(Piece& p, PictureSheet& on, bool abstract) {
   const Color accent = p.color_asked() ? Color{0.45, 0.5, 0.55} : p.accent();
-  const Color deep = mixed(accent, {0.1, 0.12, 0.16}, 0.5), warm{0.86, 0.58, 0.36}, pale{0.90, 0.84, 0.74};
+  const Color deep = mixed(accent, {0.1, 0.12, 0.16}, 0.5), warm = p.second_accent(), pale{0.90, 0.84, 0.74};
   const int kind = abstract ? 1 : p.pick(3);
   if (kind == 0) {
     on.bar(mixed(accent, {0.9, 0.93, 0.96}, 0.75), 0, 1, 0.3, 1, 1);

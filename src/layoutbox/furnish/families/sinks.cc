@@ -57,7 +57,7 @@ void basin(Piece& p, int surface, const Box& in, const Box& around, double rim, 
 // A wash basin or kitchen sink: bowls in a slab, on a cabinet, a pedestal or a wall. A bowl is a space with a floor below the others'
 // (worktops beside it); where no other says how high the slab lies and the bowl reaches far above its floor, the tap takes the rest.
 struct Sink {
-  bool steel = false, cabinet = false;
+  bool steel = false, cabinet = false, apron = false;
   int surface = 0;
   std::vector<Box> bowls;
   double floor = 0, worktop = 0, rim = 0;
@@ -66,7 +66,8 @@ struct Sink {
 Sink sink_of(Piece& p) {
   Sink s;
   s.steel = p.word("kind", "") == "sink";  // a kitchen's
-  s.surface = s.steel ? p.named("steel") : p.main("ceramic");
+  s.apron = s.steel && (p.says("apron") || p.says("farmhouse") || p.says("belfast") || p.says("butler") || p.is_style("farmhouse"));
+  s.surface = s.apron ? p.named("ceramic") : s.steel ? p.named("steel") : p.main("ceramic");
   s.floor = p.h;
   for (const FreeSpace& space : p.spaces) s.floor = space.carries ? std::min(s.floor, space.box.min.z) : s.floor;
   for (const FreeSpace& space : p.spaces) {
@@ -112,6 +113,15 @@ void add_bowl(Piece& p, const Sink& s, std::size_t i) {
   if (tall > 0) tap(p, in.center().x, (in.max.y + y) / 2, s.rim - 0.002, tall + 0.002, std::min(0.03, (y - in.max.y) * 0.4));
 }
 
+// The bowl's own front, of the same stuff, which stands before the doors below it.
+void apron_front(Piece& p, const Sink& s) {
+  constexpr double kRim = 0.03, kDeep = 0.24;
+  const Box& first = s.bowls.front();
+  const Box& last = s.bowls.back();
+  const double y = -p.d / 2, x0 = std::max(-p.w / 2, first.min.x - kRim), x1 = std::min(p.w / 2, last.max.x + kRim);
+  p.add(s.surface, rounded_box(sides(x0, x1, y, first.min.y, std::max(0.1, s.rim - kDeep), s.rim + 0.004), 0.012, 3));
+}
+
 // The sheets of its cabinet stand round the bowls.
 void sink_cabinet(Piece& p, const Sink& sink) {
   const double x = p.w / 2, y = p.d / 2;
@@ -145,6 +155,7 @@ void sink(Piece& p) {
     if (floor > 0.004) p.add(s.surface, box(sides(-x, x, -y, y, 0, floor), 0.006));
     return;
   }
+  if (s.apron) apron_front(p, s);
   if (s.cabinet) return sink_cabinet(p, s);
   p.add(s.surface, lathe({{0, 0}, {0.13, 0}, {0.12, 0.03}, {0.075, 0.25}, {0.08, floor * 0.7}, {0.14, floor}, {0, floor}}, 24),
         moved(0, p.d * 0.1, 0));

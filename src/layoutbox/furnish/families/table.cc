@@ -106,8 +106,8 @@ void apron_and_legs(Piece& p, int frame, double under, double level) {
   const bool slim = p.is_style("modern") || p.is_style("scandinavian") || p.is_style("mid-century") || p.says("modern");
   const int look = slim ? 1 : p.is_style("industrial") ? 3 : p.is_style("traditional") ? 2 : p.is_style("rustic") ? 0 : p.variant(3);
   const double tapered = look == 1 ? 0.6 : look == 2 ? 0.75 : 1;
-  p.legs(look == 3 ? p.named("black_metal") : frame, level, std::min(0.06, 0.025 + p.w * 0.025) * (look == 3 ? 0.7 : 1), in * 0.7,
-         look == 2, tapered);
+  p.legs(look == 3 && p.own_part("legs") == nullptr ? p.named("black_metal") : frame, level,
+         std::min(0.06, 0.025 + p.w * 0.025) * (look == 3 ? 0.7 : 1), in * 0.7, look == 2, tapered);
 }
 
 // A shelf below, where the catalogue has a space that stands on one.
@@ -131,7 +131,7 @@ void drawers_below(Piece& p, int wood, double under, double level) {
 void table(Piece& p) {
   if (p.count("benches", 0) > 0) return picnic_table(p);
   const std::string top = top_of(p);
-  const int wood = p.main("oak"), frame = p.painted_frame("oak");
+  const int wood = p.own_part_or("top", "oak", &Piece::main), frame = p.own_part_or("legs", "oak", &Piece::painted_frame);
   const double under = p.clear_below(p.h - std::min(0.09, p.h * 0.16)), board = std::min(0.035, (p.h - under) * 0.6 + 0.002);
   const double level = p.h - board;
   const int corners = top == "hexagon" ? 6 : top == "octagon" ? 8 : 0;

@@ -142,6 +142,10 @@ TEST(RoomLooks, FinishesOfWallsAndFloors) {
       {"A living room painted dark green with a sofa.", "walls: dark green"},
       {"A workshop with a shelf and a tin of paint.", ""},
       {"A living room, one wall is exposed brick, a sofa.", "back: exposed brick"},
+      {"A loft with brick on one wall and a leather sofa.", "back: brick"},
+      {"A cabin with a stone fireplace and a sofa. Log walls.", "walls: log walls"},
+      {"A bathroom with a bathtub. Patterned cement tiles on the floor and green zellige tiles on the walls.",
+       "walls: green zellige tiles; floor: patterned cement tiles floor"},
   };
   for (const auto& [text, finishes] : cases) EXPECT_EQ(finishes_of(room_said(text)), finishes) << text;
 }

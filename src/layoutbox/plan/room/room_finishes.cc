@@ -42,8 +42,8 @@ Finish finish_at(const std::vector<Token>& tokens, std::size_t i) {
 
 // Where it is said to be: "on the back wall", "up the walls", "on the floor".
 struct Where {
-  std::size_t last = 0;  // tokens
-  bool floor = false, all = false;
+  std::size_t last = 0;                          // tokens
+  bool floor = false, all = false, one = false;  // one: "on one wall", whichever
   std::string wall_word;
 };
 
@@ -51,7 +51,7 @@ std::optional<Where> where_said(const Lexicon& lexicon, const Document& document
   if (!is_finish_word(document, i, "places")) return std::nullopt;
   while (is_finish_word(document, i, "places")) ++i;
   Where where;
-  while (is_finish_word(document, i, "articles")) ++i;
+  for (; is_finish_word(document, i, "articles"); ++i) where.one = where.one || is_finish_word(document, i, "single");
   if (const Match side = lexicon.find(document.tokens, i, WordClass::kWallWord); side.length > 0) {
     where.wall_word = meaning_of(side, WordClass::kWallWord)->word;
     i += side.length;
@@ -110,7 +110,7 @@ class FinishReader {
     if (!where && (finish.where.empty() || !(ends_at(last) || behind))) return 0;
     NounPhrase noun;
     noun.kind = (where ? where->floor : finish.where == "floor") ? NounKind::kFloor : NounKind::kWall;
-    noun.determiner = indefinite ? Determiner::kIndefinite : Determiner::kNone;
+    noun.determiner = indefinite || (where && where->one && !where->floor) ? Determiner::kIndefinite : Determiner::kNone;
     noun.head = noun.kind == NounKind::kFloor ? "floor" : "wall";
     noun.name = where || finish.where != "both" ? noun.head : std::string(kWallsAndFloor);
     noun.attributes = {material};

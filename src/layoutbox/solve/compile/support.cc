@@ -83,27 +83,6 @@ void add_space(Formula& f, const PlacementModel& model, ItemId t, ItemId r, cons
   f.add_outer() = std::move(outer);
 }
 
-// Hanging on something: against one of its sides, no higher than its top, off the floor.
-void add_hanging(Formula& f, const PlacementModel& model, ItemId t, ItemId r) {
-  const Item& host = model.items[r];
-  if (host.odd_states != 0) f.exact = false;  // on the sides of the box around it nothing hangs
-  for (int axis = 0; axis < 2; ++axis) {
-    for (const int sign : {1, -1}) {
-      Case& c = f.add();
-      if (host.odd_states != 0) c.when(r, quarter_states(host));
-      c.require_small(gap_towards(t, r, {axis, sign}), 0);
-      const Linear off = mid2(t, 1 - axis) - mid2(r, 1 - axis);
-      c.require(extent(r, 1 - axis) - off).require(extent(r, 1 - axis) + off);
-      c.require(hi(r, 2) - hi(t, 2)).require(hi(t, 2) - lo(r, 2)).require(lo(t, 2) - Linear(model.room.lo[2] + 60));
-      c.wish(mid2(t, 1 - axis) - mid2(r, 1 - axis), 30, 2);
-      // What is pinned to a board is within it.
-      const Size &board = host.states[0].size, &own = model.items[t].states[0].size;
-      if (host.mount != Mount::kWall || own.width * 2 > board.width || own.height > board.height) continue;
-      c.require(lo(t, 1 - axis) - lo(r, 1 - axis)).require(hi(r, 1 - axis) - hi(t, 1 - axis)).require(lo(t, 2) - lo(r, 2));
-    }
-  }
-}
-
 // Items that relations say t stands on or in.
 std::vector<ItemId> hosts_named(const PlacementModel& model, ItemId t) {
   std::vector<ItemId> hosts;

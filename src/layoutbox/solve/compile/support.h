@@ -11,6 +11,9 @@ enum class Resting { kOn, kIn, kTop };
 // name. The footprint of t lies within the surface where it can, else its centre does.
 void add_resting(Formula& f, const PlacementModel& model, ItemId t, ItemId r, const std::string& space, Resting how);
 
+// Cases of "t hangs on r": against one of its sides; of a hook, before it.
+void add_hanging(Formula& f, const PlacementModel& model, ItemId t, ItemId r);
+
 // The scene's relations have it on or in something else that rests, itself or by way of more, on or in the holder.
 bool rests_by_way_of_others(const SceneGraph& scene, const std::string& id, const std::string& holder);
 
