@@ -115,6 +115,7 @@ class RelationBuilder : private RelationWriter {
   void add_in_middle(const Link& link, const PhraseSense& sense, const std::vector<int>& targets);
   bool is_tall_end(const Link& link, int target) const;
   bool in_ring(const std::vector<int>& targets, const std::vector<int>& references) const;
+  void hang_beside(const std::vector<int>& targets, int host);
   bool add_at_sides(const Link& link, const PhraseSense& sense, const std::vector<int>& targets, int host);
   void add_shares(const Link& link, const PhraseSense& sense, const std::vector<int>& targets, const std::vector<int>& references);
   // Two of a kind that stand by beds (sofas …) "beside" one stand on either side of it.
@@ -174,7 +175,7 @@ class RelationBuilder : private RelationWriter {
   int side_at(std::size_t i) const;
   int other_side(int divider, int side) const;
   int only_twin(int side) const;
-  void widen(int divider);
+  void widen(int divider, const std::vector<int>& sides = {});
   void divide(std::size_t word);
   void part_groups();
   void part_halves();
@@ -219,6 +220,11 @@ class RelationBuilder : private RelationWriter {
   void share_doors();
   void hang_bed_curtains();
   void hang_within();
+  void stand_within();
+  void stand_before_sitters();
+  void sit_in_aids();
+  void lie_along_walls();
+  void wait_at_walls();
   bool is_eaten_at(const NounPhrase& noun) const;
   void seat_those_who_wait();
   bool alone_faces(const Relation& facing) const;

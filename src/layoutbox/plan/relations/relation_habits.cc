@@ -265,6 +265,9 @@ void RelationBuilder::make_islands() {
 void RelationBuilder::add_habits() {
   hang_bed_curtains();
   hang_within();
+  stand_within();
+  stand_before_sitters();
+  sit_in_aids();
   middle_what_is_surrounded();
   add_front();
   share_doors();
@@ -279,6 +282,8 @@ void RelationBuilder::add_habits() {
   face_as_group();
   face_as_crowd();
   lay_beds_along();
+  lie_along_walls();
+  wait_at_walls();
   share_nightstand();
   head_row_of_beds();
   keep_to_one_wall();

@@ -1,0 +1,119 @@
+// Things that make one with another: a chair in the shower, a bench in the rack, a music stand before who plays; who lies and waits along walls.
+#include <algorithm>
+#include <map>
+
+#include "layoutbox/catalog/groups.h"
+#include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/plan/phrases/knowledge.h"
+#include "layoutbox/plan/phrases/reader_words.h"
+#include "layoutbox/plan/relations/relation_builder_parts.h"
+#include "layoutbox/scene/relation_traits.h"
+
+namespace layoutbox::offline {
+
+using R = RelationType;
+
+namespace {
+
+// Of the things of such kinds the one of that rank, round and round; null: there is none.
+const SceneObject* host_of(const Catalog& catalog, const std::vector<SceneObject>& objects, const std::vector<std::string>& kinds,
+                           std::size_t rank) {
+  std::vector<const SceneObject*> hosts;
+  for (const std::string& kind : kinds) {
+    if (!hosts.empty()) break;
+    for (const SceneObject& object : objects) {
+      if (catalog.is_a(object.category, kind)) hosts.push_back(&object);
+    }
+  }
+  return hosts.empty() ? nullptr : hosts[rank % hosts.size()];
+}
+
+}  // namespace
+
+// The things of the rows, with those that they are said to be with, or by nothing: each is put to its host by one relation.
+void RelationBuilder::stand_within() {
+  std::map<std::string, std::size_t> ranks;
+  for (const SceneObject& thing : scene_.objects) {
+    const CatalogEntry* entry = catalog_.find(thing.category);
+    if (entry == nullptr || entry->mount != Mount::kFloor) continue;
+    const std::vector<std::string>& kinds = Groups::usual_at(Groups::builtin().within, catalog_, *entry, Mount::kFloor);
+    const SceneObject* host = kinds.empty() ? nullptr : host_of(catalog_, scene_.objects, kinds, ranks[thing.category]++);
+    const std::vector<std::size_t> own = relations_of(thing.id);
+    const auto only_with = [&](std::size_t r) {
+      const Relation& relation = scene_.relations[r];
+      return traits_of(relation.type).close_by && relation.targets.size() == 1 && relation.references == std::vector{host->id} &&
+             words_.have(relation, "with");
+    };
+    if (host == nullptr || !std::ranges::all_of(own, only_with)) continue;
+    if (own.empty()) {
+      add_habit(R::kIn, {thing.id}, {host->id}, kTogether, "such a thing is used within it");
+      scene_.relations.back().origin = Origin::kConcluded;
+    } else {
+      scene_.relations[own.front()].type = R::kIn;
+      scene_.relations[own.front()].parameters = {};
+    }
+  }
+}
+
+// "five chairs with music stands": before each, turned to who sits there.
+void RelationBuilder::stand_before_sitters() {
+  const std::size_t said = scene_.relations.size();
+  for (std::size_t r = 0; r < said; ++r) {
+    Relation& with = scene_.relations[r];
+    const bool two = with.targets.size() == 1 && with.references.size() == 1;
+    if (!two || !traits_of(with.type).close_by || !words_.have(with, "with")) continue;
+    const SceneObject *thing = object_of(with.targets[0]), *host = object_of(with.references[0]);
+    const CatalogEntry* entry = thing == nullptr || host == nullptr ? nullptr : catalog_.find(thing->category);
+    if (entry == nullptr || entry->mount != Mount::kFloor) continue;
+    const std::vector<std::string>& kinds = Groups::usual_at(Groups::builtin().before, catalog_, *entry, Mount::kFloor);
+    if (std::ranges::none_of(kinds, [&](const std::string& kind) { return catalog_.is_a(host->category, kind); })) continue;
+    with.type = R::kInFrontOf;
+    with.parameters = {};
+    const Relation before = with;
+    if (entry->has_front) add_habit(R::kFacing, before.targets, before.references, kTogether, "it is turned to who sits there");
+  }
+}
+
+// "a desk with free space beneath", for who comes in a wheelchair: that is drawn up to it, and nothing is under that.
+void RelationBuilder::sit_in_aids() {
+  for (std::size_t r = 0; r < scene_.relations.size(); ++r) {
+    Relation& under = scene_.relations[r];
+    if (under.type != R::kUnder || under.targets.size() != 1 || under.references.size() != 1) continue;
+    const SceneObject *table = object_of(under.targets[0]), *aid = object_of(under.references[0]);
+    if (table == nullptr || aid == nullptr || !catalog_.entry_or_nearest(aid->category).is(Trait::kPersonalAid)) continue;
+    if (!is_table(catalog_, noun_of_object(*table))) continue;
+    std::swap(under.targets, under.references);
+    under.type = R::kInFrontOf;
+    const Relation before = under;
+    add_habit(R::kFacing, before.targets, before.references, kTogether, "who comes in it sits at the table");
+  }
+}
+
+// "an exam couch against the right wall": along it. Who lies there is not got at from its head alone.
+void RelationBuilder::lie_along_walls() {
+  for (Relation& at : scene_.relations) {
+    const SceneObject* object = at.type == R::kAgainstWall && at.targets.size() == 1 ? object_of(at.targets[0]) : nullptr;
+    const CatalogEntry* entry = object == nullptr ? nullptr : catalog_.find(object->category);
+    if (entry == nullptr || !entry->is(Trait::kLieOn) || entry->is(Trait::kBed) || !at.asked()) continue;
+    if (2 * entry->size.usual.depth >= 3 * entry->size.usual.width && !words_.have(at, WordSet::kHeadEnds)) at.type = R::kSideAgainstWall;
+  }
+}
+
+// "a waiting bench opposite": with its back to a wall, out of the way.
+void RelationBuilder::wait_at_walls() {
+  const std::size_t said = scene_.objects.size();
+  for (std::size_t i = 0; i < said; ++i) {
+    const SceneObject& seat = scene_.objects[i];
+    const NounPhrase& noun = noun_of_object(seat);
+    const CatalogEntry* entry = noun.entry;
+    const bool waits = noun.name.find("waiting") != std::string::npos || contains_word(noun.attributes, "waiting");
+    if (entry == nullptr || !waits || entry->mount != Mount::kFloor || !is_seat(catalog_, noun)) continue;
+    const bool told = std::ranges::any_of(relations_of(seat.id), [&](std::size_t r) {
+      const R type = scene_.relations[r].type;
+      return traits_of(type).back_to_wall || traits_of(type).around || type == R::kCenterOfRoom || type == R::kRow || type == R::kGrid;
+    });
+    if (!told) add_habit(R::kAgainstWall, {seat.id}, {}, kTogether, "who waits sits along the walls");
+  }
+}
+
+}  // namespace layoutbox::offline
