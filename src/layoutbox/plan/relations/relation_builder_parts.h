@@ -225,6 +225,7 @@ class RelationBuilder : private RelationWriter {
   void sit_in_aids();
   void lie_along_walls();
   void wait_at_walls();
+  void stand_at_both_sides();
   bool is_eaten_at(const NounPhrase& noun) const;
   void seat_those_who_wait();
   bool alone_faces(const Relation& facing) const;

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "layoutbox/catalog/groups.h"
+#include "layoutbox/catalog/measures.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/phrases/knowledge.h"
 #include "layoutbox/plan/phrases/reader_words.h"
@@ -84,6 +85,8 @@ void RelationBuilder::sit_in_aids() {
     if (!is_table(catalog_, noun_of_object(*table))) continue;
     std::swap(under.targets, under.references);
     under.type = R::kInFrontOf;
+    under.parameters = {};
+    under.parameters.max = measures().seat_at_hand;
     const Relation before = under;
     add_habit(R::kFacing, before.targets, before.references, kTogether, "who comes in it sits at the table");
   }
@@ -96,6 +99,37 @@ void RelationBuilder::lie_along_walls() {
     const CatalogEntry* entry = object == nullptr ? nullptr : catalog_.find(object->category);
     if (entry == nullptr || !entry->is(Trait::kLieOn) || entry->is(Trait::kBed) || !at.asked()) continue;
     if (2 * entry->size.usual.depth >= 3 * entry->size.usual.width && !words_.have(at, WordSet::kHeadEnds)) at.type = R::kSideAgainstWall;
+  }
+}
+
+// "Coat hooks and a shoe bench on the left, a console table on the right": at the walls of those sides, not beside one another.
+void RelationBuilder::stand_at_both_sides() {
+  const auto says = [&](const Relation& r, R type, const char* side) {
+    return r.type == type && r.asked() && r.targets.size() == 1 && r.references.size() == 1 &&
+           words_.have_phrase(r, {"on", "the", side}) && words_.are_without_reference(r);
+  };
+  const std::vector<Relation> said = scene_.relations;
+  for (const Relation& left : said) {
+    if (!says(left, R::kLeftOf, "left")) continue;
+    const auto right = std::ranges::find_if(
+        said, [&](const Relation& r) { return says(r, R::kRightOf, "right") && r.references == left.references; });
+    if (right == said.end()) continue;
+    std::erase_if(scene_.relations, [&](const Relation& r) { return r.id == left.id || r.id == right->id; });
+    const auto put = [&](std::string thing, const char* side) {
+      for (const Relation& r : said) {  // what hangs above something is where that is
+        if (r.type == R::kAbove && r.targets == std::vector{thing} && r.references.size() == 1) thing = r.references[0];
+      }
+      const SceneObject* object = object_of(thing);
+      if (object == nullptr) return;
+      const Mount mount = mount_of(noun_of_object(*object));
+      if (mount != Mount::kFloor && mount != Mount::kWall) return;
+      add_habit(mount == Mount::kWall ? R::kOnWall : R::kAgainstWall, {thing}, {side}, kTogether, "at the walls of both sides");
+      scene_.relations.back().hard = true;
+      scene_.relations.back().origin = Origin::kAsked;
+    };
+    put(left.references[0], "left");
+    put(left.targets[0], "left");
+    put(right->targets[0], "right");
   }
 }
 
@@ -112,7 +146,7 @@ void RelationBuilder::wait_at_walls() {
       const R type = scene_.relations[r].type;
       return traits_of(type).back_to_wall || traits_of(type).around || type == R::kCenterOfRoom || type == R::kRow || type == R::kGrid;
     });
-    if (!told) add_habit(R::kAgainstWall, {seat.id}, {}, kTogether, "who waits sits along the walls");
+    if (!told) add_habit(entry->has_front ? R::kAgainstWall : R::kSideAgainstWall, {seat.id}, {}, kTogether, "who waits sits along the walls");
   }
 }
 

@@ -92,6 +92,7 @@ void RelationBuilder::stand_under_counters() {
     if (!stands(relation.targets.front())) continue;
     std::swap(relation.targets, relation.references);
     relation.type = R::kUnder;
+    std::ranges::find(scene_.objects, relation.references.front(), &SceneObject::id)->mount = Mount::kFloor;
     // "a washer and a dryer side by side, a counter above them": both.
     const bool them = on_top || words_.have(relation, "them");
     for (const Relation& beside : scene_.relations) {
@@ -107,9 +108,18 @@ void RelationBuilder::stand_under_counters() {
 
 // Cars stand nose to the garage door, side by side.
 void RelationBuilder::park_cars() {
+  constexpr Mm kTwoAbreast = 5500;
   const auto door = std::ranges::find_if(scene_.room.openings, [](const Opening& o) {
     return o.type == OpeningType::kDoor && look_of(o).leaf == Leaf::kSectional;
   });
+  // One drives straight in; where two cars have room and nobody says how wide it is, the door is for both.
+  if (door != scene_.room.openings.end() && door->origin == Origin::kAssumed) {
+    if (door->wall.empty()) door->wall = "front";
+    const Point far = scene_.room.polygon.size() == 4 ? scene_.room.polygon[2] : Point{};
+    std::vector<std::string> wide{"double " + door->attributes.front()};
+    const OpeningLook look = opening_look(OpeningType::kDoor, wide);
+    if (far.x >= kTwoAbreast && look.width) door->attributes = wide, door->width = *look.width;
+  }
   std::string first;
   for (const SceneObject& object : scene_.objects) {
     if (!catalog_.entry_or_nearest(object.category).is(Trait::kParked)) continue;
