@@ -62,6 +62,7 @@ Groups read_groups() {
   groups.hangs = usual_places(data.at("hangs"));
   groups.lies = usual_places(data.at("lies"));
   groups.within = usual_places(data.at("within"));
+  groups.by = usual_places(data.at("by"));
   groups.before = usual_places(data.at("before"));
   const Json& fill = data.at("fill");
   groups.fill = {fill.at("bare").get<double>(),    fill.at("until").get<double>(),

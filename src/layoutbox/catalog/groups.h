@@ -78,6 +78,7 @@ struct Groups {
   std::vector<std::string> by_door;      // kinds that stand near a door
   std::vector<UsuallyAt> hangs, lies;    // special kinds first
   std::vector<UsuallyAt> within;         // what stands in another where it is only said to be with it
+  std::vector<UsuallyAt> by;             // … and by another where nothing is said of it
   std::vector<UsuallyAt> before;         // … and what stands before another, turned to who is there
   Filling fill;
   std::vector<std::string> carried;             // kinds that get something to stand on where nothing there carries them

@@ -20,7 +20,7 @@ constexpr double kMostCovered = 0.36;
 constexpr double kMostUsed = 0.68, kMostUsedByCrowd = 0.58, kMostCoveredByCrowd = 0.32;
 // … and at least this share of an ordinary room's, down to so much of its area: few things are lost in a room for many.
 constexpr double kLeastUsed = 0.38, kSmallestShare = 0.42, kSmallestArea = 12e6;  // mm²
-constexpr Mm kForCar = 5600;  // the longer side of a garage, though the car be outside
+constexpr Mm kForCar = 5600;                                                      // the longer side of a garage, though the car be outside
 constexpr Point kGridWay{350, 850};                                               // free between the columns and rows of a grid
 
 // Of the strips that the catalogue wants free at its sides, mm².

@@ -21,7 +21,7 @@ RoomBox round_room(const Layout& layout) {
 
 // Where so much floor is free round it, as near to the middle of the room as can be; along the longer side of the room.
 void lie_in_middle(Dresser& dresser, const Dressing& row) {
-  constexpr double kStep = 100, kTall = 1000;
+  constexpr double kStep = 100, kTall = 1000, kOffMiddle = 0.16;
   if (dresser.layout().room.floor_material.find("carpet") != std::string::npos) return;
   const CatalogEntry& entry = dresser.catalog().entry_or_nearest(row.adds);
   const RoomBox room = round_room(dresser.layout());
@@ -31,8 +31,10 @@ void lie_in_middle(Dresser& dresser, const Dressing& row) {
     Size size = dresser.size_of(row);
     size.width = static_cast<Mm>(on_grid(std::max(size.width * scale, double(entry.size.least.width))));
     size.depth = static_cast<Mm>(on_grid(std::max(size.depth * scale, double(entry.size.least.depth))));
-    const double half_x = (turned ? size.depth : size.width) / 2.0 + row.before, half_y = (turned ? size.width : size.depth) / 2.0 + row.before;
-    double nearest = 1e18, x = 0, y = 0;
+    const double half_x = (turned ? size.depth : size.width) / 2.0 + row.before,
+                 half_y = (turned ? size.width : size.depth) / 2.0 + row.before;
+    const double farthest = kOffMiddle * std::hypot(width, depth);
+    double nearest = farthest, x = 0, y = 0;
     for (double at_x = room.x0 + half_x; at_x <= room.x1 - half_x; at_x += kStep) {
       for (double at_y = room.y0 + half_y; at_y <= room.y1 - half_y; at_y += kStep) {
         const double off = std::hypot(at_x - (room.x0 + room.x1) / 2, at_y - (room.y0 + room.y1) / 2);
@@ -40,7 +42,7 @@ void lie_in_middle(Dresser& dresser, const Dressing& row) {
         nearest = off, x = on_grid(at_x), y = on_grid(at_y);
       }
     }
-    if (nearest > 1e17) continue;
+    if (nearest >= farthest) continue;
     dresser.add(row.adds, row.words, size, {{x, y, 0}, turned ? 90.0 : 0.0});
     return;
   }

@@ -194,12 +194,15 @@ class RelationBuilder : private RelationWriter {
   void place_in_run(Relation& relation, const std::vector<std::string>& units);
   void share_out_over_run(const std::vector<std::string>& units);
   void settle_kitchen();
+  std::string told_wall_of(const std::string& unit) const;
+  void stand_at_walls_of_run(const std::vector<std::string>& units);
   void leave_window_to_sink();
   void add_front();
   void show_where_seated();
   bool shows_in(RoomRegion region) const;
   void middle_what_is_surrounded();
   void add_end_walls();
+  void serve_towards_room(const SceneObject& counter, const std::string& end);
   void hang_hoods();
   void screen_from_door();
   void add_habit(RelationType type, std::vector<std::string> targets, std::vector<std::string> references, int weight, std::string why);
@@ -223,6 +226,7 @@ class RelationBuilder : private RelationWriter {
   void stand_within();
   void stand_before_sitters();
   void sit_in_aids();
+  void touch_back_to_back();
   void lie_along_walls();
   void wait_at_walls();
   void stand_at_both_sides();
@@ -277,6 +281,7 @@ class RelationBuilder : private RelationWriter {
   std::vector<std::vector<std::size_t>> small_neighbours() const;
   std::string host_with_room(std::string host, const NounPhrase& thing) const;
   std::string host_spoken_of(std::size_t index);
+  bool is_sat_round(const std::string& table, const NounPhrase& thing) const;
   std::size_t sentence_of(std::size_t token);
   bool only_small(const std::vector<std::string>& ids) const;
   const CatalogEntry* wall_kind(const NounPhrase& noun) const;

@@ -126,9 +126,8 @@ void RelationBuilder::add_each_other(const Link& link, const std::vector<int>& s
     if (backs) {
       add(link, R::kBehind, {one}, {next});
       add(link, R::kBehind, {next}, {one});
-      add_habit(R::kCenteredOn, {next}, {one}, kTogether, "what is back to back is so all along");
     }
-    add(link, backs ? R::kTouching : sense->type, {one}, {next}, *sense);
+    add(link, sense->type, {one}, {next}, *sense);
     if (sense->type == R::kOpposite) add_across(link, targets[t - 1], {next});
     if (sense->type == R::kFacing) add(link, sense->type, {next}, {one}, *sense);
     stand_in_line(link, next, one, other, noun_of_item(targets[t]));

@@ -154,6 +154,7 @@ void RelationBuilder::add_end_walls() {
     // "sofa and TV on the right": the screen is at the wall, and the sofa looks at it.
     const bool watches = (entry->is(Trait::kEasySeat) || entry->is(Trait::kCenterPiece)) && shows_in(*region.parameters.region);
     if (watches) continue;
+    serve_towards_room(*object, std::string(end));
     const bool hangs = object->mount.value_or(entry->mount) == Mount::kWall || (entry->is(Trait::kScreen) && entry->is(Trait::kElseOnWall));
     // A kitchen's units go on to that end, and do not turn the corner there.
     const bool stands =
@@ -268,6 +269,7 @@ void RelationBuilder::add_habits() {
   stand_within();
   stand_before_sitters();
   sit_in_aids();
+  touch_back_to_back();
   middle_what_is_surrounded();
   add_front();
   share_doors();

@@ -1,4 +1,5 @@
-// Things that make one with another: a chair in the shower, a bench in the rack, a music stand before who plays; who lies and waits along walls.
+// Things that make one with another: a chair in the shower, a bench in the rack, a music stand before who plays; who lies and waits along
+// walls.
 #include <algorithm>
 #include <map>
 
@@ -8,6 +9,7 @@
 #include "layoutbox/plan/phrases/knowledge.h"
 #include "layoutbox/plan/phrases/reader_words.h"
 #include "layoutbox/plan/relations/relation_builder_parts.h"
+#include "layoutbox/plan/room/room_reader.h"
 #include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox::offline {
@@ -37,6 +39,10 @@ void RelationBuilder::stand_within() {
   for (const SceneObject& thing : scene_.objects) {
     const CatalogEntry* entry = catalog_.find(thing.category);
     if (entry == nullptr || entry->mount != Mount::kFloor) continue;
+    const auto& by = Groups::usual_at(Groups::builtin().by, catalog_, *entry, Mount::kFloor);
+    const SceneObject* mate = by.empty() ? nullptr : host_of(catalog_, scene_.objects, by, 0);
+    if (mate != nullptr && relations_of(thing.id).empty())
+      add_habit(R::kNextTo, {thing.id}, {mate->id}, kTogether, "such a thing stands by it");
     const std::vector<std::string>& kinds = Groups::usual_at(Groups::builtin().within, catalog_, *entry, Mount::kFloor);
     const SceneObject* host = kinds.empty() ? nullptr : host_of(catalog_, scene_.objects, kinds, ranks[thing.category]++);
     const std::vector<std::size_t> own = relations_of(thing.id);
@@ -92,6 +98,25 @@ void RelationBuilder::sit_in_aids() {
   }
 }
 
+// "Two desks back to back" touch, one all along the other, where nothing is between them.
+void RelationBuilder::touch_back_to_back() {
+  const std::size_t said = scene_.relations.size();
+  for (std::size_t r = 0; r < said; ++r) {
+    Relation& beside = scene_.relations[r];
+    const bool backs = beside.type == R::kNextTo && beside.targets.size() == 1 && beside.references.size() == 1 &&
+                       words_.have_phrase(beside, {"back", "to", "back"});
+    if (!backs) continue;
+    const auto both_behind = [&](const Relation& other) {
+      return other.type == R::kBehind && other.targets == beside.references && other.references == beside.targets;
+    };
+    const auto parts = [&](const Relation& other) { return other.type == R::kBetween; };
+    if (std::ranges::none_of(scene_.relations, both_behind) || std::ranges::any_of(scene_.relations, parts)) continue;
+    beside.parameters.max = 0;
+    const Relation touching = beside;
+    add_habit(R::kCenteredOn, touching.references, touching.targets, kTogether, "what is back to back is so all along");
+  }
+}
+
 // "an exam couch against the right wall": along it. Who lies there is not got at from its head alone.
 void RelationBuilder::lie_along_walls() {
   for (Relation& at : scene_.relations) {
@@ -104,15 +129,19 @@ void RelationBuilder::lie_along_walls() {
 
 // "Coat hooks and a shoe bench on the left, a console table on the right": at the walls of those sides, not beside one another.
 void RelationBuilder::stand_at_both_sides() {
+  const auto hangs_on_wall = [&](const std::string& id) {  // nothing stands at the sides of such a thing
+    const SceneObject* object = object_of(id);
+    return object != nullptr && mount_of(noun_of_object(*object)) == Mount::kWall;
+  };
   const auto says = [&](const Relation& r, R type, const char* side) {
-    return r.type == type && r.asked() && r.targets.size() == 1 && r.references.size() == 1 &&
-           words_.have_phrase(r, {"on", "the", side}) && words_.are_without_reference(r);
+    return r.type == type && r.asked() && r.targets.size() == 1 && r.references.size() == 1 && words_.have_phrase(r, {"on", "the", side}) &&
+           words_.are_without_reference(r);
   };
   const std::vector<Relation> said = scene_.relations;
   for (const Relation& left : said) {
     if (!says(left, R::kLeftOf, "left")) continue;
-    const auto right = std::ranges::find_if(
-        said, [&](const Relation& r) { return says(r, R::kRightOf, "right") && r.references == left.references; });
+    const auto right =
+        std::ranges::find_if(said, [&](const Relation& r) { return says(r, R::kRightOf, "right") && r.references == left.references; });
     if (right == said.end()) continue;
     std::erase_if(scene_.relations, [&](const Relation& r) { return r.id == left.id || r.id == right->id; });
     const auto put = [&](std::string thing, const char* side) {
@@ -146,8 +175,30 @@ void RelationBuilder::wait_at_walls() {
       const R type = scene_.relations[r].type;
       return traits_of(type).back_to_wall || traits_of(type).around || type == R::kCenterOfRoom || type == R::kRow || type == R::kGrid;
     });
-    if (!told) add_habit(entry->has_front ? R::kAgainstWall : R::kSideAgainstWall, {seat.id}, {}, kTogether, "who waits sits along the walls");
+    if (told) continue;
+    add_habit(entry->has_front ? R::kAgainstWall : R::kSideAgainstWall, {seat.id}, {}, kTogether, "who waits sits along the walls");
+    if (!entry->has_front) scene_.relations.back().parameters.side = Side::kLong;
   }
+}
+
+// A printer does not stand where several sit round a table, unless such a table is what it mostly stands on.
+bool RelationBuilder::is_sat_round(const std::string& table, const NounPhrase& thing) const {
+  const SceneObject* object = object_of(table);
+  if (object == nullptr || thing.entry == nullptr ||
+      std::ranges::find(thing.entry->stands_on, object->category) != thing.entry->stands_on.end())
+    return false;
+  return std::ranges::any_of(scene_.relations, [&](const Relation& r) {
+    return traits_of(r.type).around && r.targets.size() > 1 && r.references == std::vector{table};
+  });
+}
+
+// "the counter at the back": one serves over it towards the room.
+void RelationBuilder::serve_towards_room(const SceneObject& counter, const std::string& end) {
+  const CatalogEntry& entry = catalog_.entry_or_nearest(counter.category);
+  const bool looks =
+      std::ranges::any_of(relations_of(counter.id), [&](std::size_t r) { return traits_of(scene_.relations[r].type).looks; });
+  if (!looks && entry.has_front && entry.is(Trait::kOpenToRoom) && entry.is(Trait::kCounter) && entry.used_sides.size() < 4)
+    add_habit(R::kFacing, {counter.id}, {wall_across(end)}, kTogether, "one serves towards the room");
 }
 
 }  // namespace layoutbox::offline

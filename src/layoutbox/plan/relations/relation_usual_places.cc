@@ -109,9 +109,8 @@ void RelationBuilder::stand_under_counters() {
 // Cars stand nose to the garage door, side by side.
 void RelationBuilder::park_cars() {
   constexpr Mm kTwoAbreast = 5500;
-  const auto door = std::ranges::find_if(scene_.room.openings, [](const Opening& o) {
-    return o.type == OpeningType::kDoor && look_of(o).leaf == Leaf::kSectional;
-  });
+  const auto door = std::ranges::find_if(
+      scene_.room.openings, [](const Opening& o) { return o.type == OpeningType::kDoor && look_of(o).leaf == Leaf::kSectional; });
   // One drives straight in; where two cars have room and nobody says how wide it is, the door is for both.
   if (door != scene_.room.openings.end() && door->origin == Origin::kAssumed) {
     if (door->wall.empty()) door->wall = "front";

@@ -70,14 +70,16 @@ void Habits::have_worktop_aside(ItemId item) {
   constexpr int kAside = 250;  // points a metre
   const Item& self = model_.items[item];
   const bool worked_at = self.is(Trait::kHob) || self.is(Trait::kWashUp);
-  const bool kitchen = std::ranges::count_if(model_.items, [](const Item& i) { return i.mount == Mount::kFloor && i.is(Trait::kKitchenRun); }) > 2;
+  const bool kitchen =
+      std::ranges::count_if(model_.items, [](const Item& i) { return i.mount == Mount::kFloor && i.is(Trait::kKitchenRun); }) > 2;
   if (!worked_at || !kitchen || self.states[0].size.height >= measures().tall_from || placed_by_relation_besides_walls(item)) return;
   const Mm aside = measures().worktop_between;
   Formula f;
   for (const RoomWall& wall : model_.walls) {
     if (!wall.straight || wall.hi - wall.lo < 2 * aside + self.states[0].size.width) continue;
     Case& c = f.add().when(item, states_with_back_to(self, wall));
-    c.require(lo(item, wall.along) - Linear(std::int64_t{wall.lo} + aside)).require(Linear(std::int64_t{wall.hi} - aside) - hi(item, wall.along));
+    c.require(lo(item, wall.along) - Linear(std::int64_t{wall.lo} + aside))
+        .require(Linear(std::int64_t{wall.hi} - aside) - hi(item, wall.along));
   }
   if (!f.cases.empty()) habit("worktop at both sides", item, kAside, std::move(f));
 }

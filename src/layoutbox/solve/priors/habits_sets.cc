@@ -165,7 +165,8 @@ void Habits::stand_at_back_of_seat(ItemId item) {
   for (const ItemId host : model_.items.ids()) {
     const Item& seat = model_.items[host];
     if (seat.is_opening() || !seat.has_front || !(seat.is(Trait::kEasySeat) || seat.is(Trait::kCenterPiece))) continue;
-    if (!related_by_any(item, host, relations_that<&RelationTraits::close_by>())) continue;
+    const bool before = related_as_target(item, host, RelationType::kBehind) || related_as_target(item, host, RelationType::kInFrontOf);
+    if (before || !related_by_any(item, host, relations_that<&RelationTraits::close_by>())) continue;
     Formula f;
     for_each_turn(seat, [&](int turn, std::uint64_t states) {
       if (turn % 90 != 0) return;
