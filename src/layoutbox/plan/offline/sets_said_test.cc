@@ -77,7 +77,7 @@ TEST(SetsSaid, WhoLiesAndWhoWaitsIsAlongAWall) {
 }
 
 TEST(SetsSaid, AWorktopOnTopOfTwoMachines) {
-  const SceneGraph scene = planned("Laundry room. Washer and dryer side by side with a counter on top.");
+  const SceneGraph scene = planned("Laundry room. Washer and dryer side by side on the long wall with a counter on top.");
   EXPECT_TRUE(related(scene, R::kUnder, "washing_machine_1", "counter_1"));
   EXPECT_TRUE(related(scene, R::kUnder, "dryer_1", "counter_1"));
 }

@@ -135,7 +135,7 @@ void RelationBuilder::stand_at_both_sides() {
   };
   const auto says = [&](const Relation& r, R type, const char* side) {
     return r.type == type && r.asked() && r.targets.size() == 1 && r.references.size() == 1 && words_.have_phrase(r, {"on", "the", side}) &&
-           words_.are_without_reference(r);
+           words_.are_without_reference(r) && hangs_on_wall(r.references[0]);
   };
   const std::vector<Relation> said = scene_.relations;
   for (const Relation& left : said) {

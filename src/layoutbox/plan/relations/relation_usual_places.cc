@@ -99,7 +99,9 @@ void RelationBuilder::stand_under_counters() {
       if (!them || beside.type != R::kNextTo || beside.targets.size() != 1 || beside.references.size() != 1) continue;
       const bool first = beside.targets == relation.targets, second = beside.references == relation.targets;
       const std::string& mate = first ? beside.references.front() : beside.targets.front();
-      if ((!first && !second) || !stands(mate) || (on_top && !words_.have_phrase(beside, {"side", "by", "side"}))) continue;
+      if ((!first && !second) || mate == relation.references.front() || !stands(mate) ||
+          (on_top && !words_.have_phrase(beside, {"side", "by", "side"})))
+        continue;
       relation.targets.push_back(mate);
       break;
     }

@@ -65,11 +65,11 @@ void Habits::stand_in_run(ItemId item) {
   have_worktop_aside(item);
 }
 
-// … nor with one in the wall: who cooks and who washes up has worktop at both sides.
+// … nor with one in the wall: who cooks has worktop at both sides.
 void Habits::have_worktop_aside(ItemId item) {
-  constexpr int kAside = 250;  // points a metre
+  constexpr int kAside = 150;  // points a metre
   const Item& self = model_.items[item];
-  const bool worked_at = self.is(Trait::kHob) || self.is(Trait::kWashUp);
+  const bool worked_at = self.is(Trait::kHob);
   const bool kitchen =
       std::ranges::count_if(model_.items, [](const Item& i) { return i.mount == Mount::kFloor && i.is(Trait::kKitchenRun); }) > 2;
   if (!worked_at || !kitchen || self.states[0].size.height >= measures().tall_from || placed_by_relation_besides_walls(item)) return;

@@ -126,7 +126,7 @@ void Habits::open_to_room(ItemId item, int weight) {
 
 // Behind a bar is who serves: the guests' tables stand before it.
 void Habits::keep_before_counter(ItemId item) {
-  constexpr Mm kBefore = 900, kStools = 600;  // a chair and a way; the stools at the bar besides
+  constexpr Mm kBefore = 800, kStools = 700;  // a chair and a way; the stools at the bar besides
   constexpr int kGuests = 300;                // points a metre
   const Item& self = model_.items[item];
   if (!self.is(Trait::kTable) || self.is(Trait::kDesk) || self.is(Trait::kCounter)) return;
