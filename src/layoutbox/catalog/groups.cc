@@ -61,6 +61,9 @@ Groups read_groups() {
   groups.by_door = strings(data, "by_door");
   groups.hangs = usual_places(data.at("hangs"));
   groups.lies = usual_places(data.at("lies"));
+  groups.within = usual_places(data.at("within"));
+  groups.by = usual_places(data.at("by"));
+  groups.before = usual_places(data.at("before"));
   const Json& fill = data.at("fill");
   groups.fill = {fill.at("bare").get<double>(),    fill.at("until").get<double>(),
                  fill.at("hardly_any").get<int>(), fill.at("usually_covered").get<double>(),

@@ -77,6 +77,9 @@ struct Groups {
   std::vector<RoomByContents> contents;  // the first that fits
   std::vector<std::string> by_door;      // kinds that stand near a door
   std::vector<UsuallyAt> hangs, lies;    // special kinds first
+  std::vector<UsuallyAt> within;         // what stands in another where it is only said to be with it
+  std::vector<UsuallyAt> by;             // … and by another where nothing is said of it
+  std::vector<UsuallyAt> before;         // … and what stands before another, turned to who is there
   Filling fill;
   std::vector<std::string> carried;             // kinds that get something to stand on where nothing there carries them
   std::vector<std::string> sat_at;              // words by which a table is one to sit at

@@ -32,8 +32,8 @@ std::vector<std::string_view> split_words(std::string_view text) {
 }
 
 // The lists of words_kinds.json, in the order of Place.
-constexpr std::array<std::string_view, 8> kPlaceLists = {"on_wall",       "on_floor",      "on_ceiling", "on_thing",
-                                                         "between_seats", "between_sofas", "around_bed", "set_in"};
+constexpr std::array<std::string_view, 9> kPlaceLists = {"on_wall",       "on_floor",   "on_ceiling", "on_thing", "between_seats",
+                                                         "between_sofas", "around_bed", "set_in",     "at_sides"};
 
 struct Kinds {
   Words kinds, modifiers, heads, portions, kept_in, own_parts, company, users;

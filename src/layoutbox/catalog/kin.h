@@ -42,6 +42,7 @@ enum class KinPlace : std::uint8_t {
   kBetweenSofas,  // table → coffee_table
   kAroundBed,     // curtain_rod → privacy_curtain
   kSetIn,         // let into the top of something: sink → inset_sink
+  kAtSides,       // on the wall at both sides of something: grab_rail → fold_down_rail
 };
 
 // The entry that one of that id is there; null where it stays what it is, or where the catalogue has no such entry.

@@ -78,6 +78,7 @@ TEST(Kin, WhatIsElsewhereThanMostlyIsOfAnotherKind) {
   EXPECT_EQ(at("table", KinPlace::kBetweenSofas), "coffee_table");
   EXPECT_EQ(at("curtain_rod", KinPlace::kAroundBed), "privacy_curtain");
   EXPECT_EQ(at("sink", KinPlace::kSetIn), "inset_sink");
+  EXPECT_EQ(at("grab_rail", KinPlace::kAtSides), "fold_down_rail");
   EXPECT_EQ(at("sofa", KinPlace::kOnWall), "as it is");
   EXPECT_EQ(kind_at(Catalog({}, {}), "sink", KinPlace::kSetIn), nullptr);
 }

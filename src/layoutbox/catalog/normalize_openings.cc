@@ -67,7 +67,7 @@ class OpeningNormalizer {
 
   // Where the text has its middle; in the middle of its wall; as far off the corner that is named as is said, else a hand's breadth.
   void settle_place(Opening& opening) const {
-    const PlaceSaid& said = opening.place;
+    const SaidPlace& said = opening.place;
     const Mm off = said.from_corner.value_or(100);
     const Wall* wall = opening.wall.empty() || opening.offset ? nullptr : context_.scene.find_wall(opening.wall);
     if (wall == nullptr) return;

@@ -1,13 +1,15 @@
-// A workbench "along the back wall" is about as long as that wall lets it be.
+// A workbench "along the back wall" is about as long as that wall lets it be; a shelf there is a long one.
 #include <algorithm>
 
 #include "layoutbox/catalog/normalize_steps.h"
 #include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/scene/shell.h"
 
 namespace layoutbox {
 namespace {
 
-constexpr Mm kForDoor = 1500;  // of a wall is left to a door and to what else stands there
+constexpr Mm kForDoor = 1500;    // of a wall is left to a door and to what else stands there
+constexpr Mm kLongShelf = 2400;  // several bays of one kind
 
 bool says_along(const Relation& r) { return r.why.starts_with("along") || r.why.starts_with("down the") || r.why.starts_with("running"); }
 
@@ -23,6 +25,15 @@ Mm taken_by_others(const SceneGraph& scene, const std::string& wall, const std::
   return taken;
 }
 
+// How long such a thing may be where it is told to be along a wall; 0: as it is.
+Mm longest_along(const NormalizeContext& context, const SceneObject& object) {
+  const CatalogEntry& entry = context.catalog.entry_or_nearest(object.category);
+  if (entry.is(Trait::kLongAtWall)) return object.size->greatest.width;
+  const auto alike = std::ranges::count(context.scene.objects, object.category, &SceneObject::category);
+  const bool shelf = entry.is(Trait::kShelving) && entry.mount == Mount::kFloor && entry.back_to_wall;
+  return shelf && alike == 1 ? std::max(kLongShelf, object.size->greatest.width) : 0;
+}
+
 }  // namespace
 
 void normalize_worktops(NormalizeContext& context) {
@@ -31,10 +42,12 @@ void normalize_worktops(NormalizeContext& context) {
     const auto bench = std::ranges::find(context.scene.objects, r.targets[0], &SceneObject::id);
     const Wall* wall = context.scene.find_wall(r.references[0]);
     if (bench == context.scene.objects.end() || wall == nullptr || !bench->size || bench->size_source != SizeSource::kCatalog) continue;
-    if (!context.catalog.entry_or_nearest(bench->category).is(Trait::kLongAtWall)) continue;
+    const Mm longest = longest_along(context, *bench);
+    if (longest == 0) continue;
     const Mm free = length_of(*wall) - kForDoor - taken_by_others(context.scene, wall->id, bench->id);
     Mm& usual = bench->size->usual.width;
-    usual = std::max(usual, std::min(free, bench->size->greatest.width));
+    usual = std::max(usual, std::min(free, longest));
+    bench->size->greatest.width = std::max(usual, bench->size->greatest.width);
   }
 }
 

@@ -20,6 +20,7 @@ constexpr double kMostCovered = 0.36;
 constexpr double kMostUsed = 0.68, kMostUsedByCrowd = 0.58, kMostCoveredByCrowd = 0.32;
 // … and at least this share of an ordinary room's, down to so much of its area: few things are lost in a room for many.
 constexpr double kLeastUsed = 0.38, kSmallestShare = 0.42, kSmallestArea = 12e6;  // mm²
+constexpr Mm kForCar = 5600;                                                      // the longer side of a garage, though the car be outside
 constexpr Point kGridWay{350, 850};                                               // free between the columns and rows of a grid
 
 // Of the strips that the catalogue wants free at its sides, mm².
@@ -105,7 +106,9 @@ double growth_for_furniture(const NormalizeContext& context, double area, double
                                                          std::min(1.0, std::max(kSmallestShare, factor * kSmallestArea / area)), 1.0))
                                   : 1.0;
   const bool crowd = holds_crowd(context);
-  return std::max({least, std::sqrt(floor_round_tables(context) / area),
+  const RoomKind* kind = context.catalog.find_room(context.scene.room.type);
+  const double for_car = kind != nullptr && !kind->door.empty() ? kForCar / longest_side : 0;
+  return std::max({least, for_car, std::sqrt(floor_round_tables(context) / area),
                    std::sqrt(covered / (crowd ? kMostCoveredByCrowd : kMostCovered) / area),
                    std::sqrt(used / (crowd ? kMostUsedByCrowd : kMostUsed) / area), (longest + 600) / longest_side});
 }

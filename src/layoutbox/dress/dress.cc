@@ -29,6 +29,8 @@ constexpr std::pair<std::string_view, PlaceFiller> kPlaces[] = {{"kitchen run", 
                                                                 {"free wall", stand_at_free_wall},
                                                                 {"under", lie_under},
                                                                 {"before", lie_before},
+                                                                {"middle", lie_in_middle},
+                                                                {"below", hang_below},
                                                                 {"on", stand_on},
                                                                 {"at seats", lay_before_seats},
                                                                 {"ceiling", hang_from_ceiling}};

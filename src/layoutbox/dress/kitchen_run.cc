@@ -14,6 +14,7 @@ namespace {
 constexpr double kNarrowest = 150, kOfUse = 300, kCabinet = 700;  // widths of cabinets: a pull-out, the least at an end, the usual
 constexpr double kChink = 10;                                     // what is wider between two units is filled
 constexpr double kInCorner = 350;                                 // what is narrower is part of the corner unit
+constexpr double kBeforeGap = 600;                                // free before what closes a gap: one stands at the units beside it
 constexpr double kWidestGap = 2400;                               // between two units that become one run
 constexpr double kFormlessGap = 1200;                             // from a run to the corner where it meets the next wall's
 constexpr double kLeastTurn = 600, kSaidTurn = 1200, kMostTurn = 2400;
@@ -85,9 +86,9 @@ class KitchenRun {
   }
 
   // Where a cabinet may stand along a wall, with room to walk before it.
-  std::vector<Span> free_at(const DressedWall& wall) const {
+  std::vector<Span> free_at(const DressedWall& wall, double most = 1e9) const {
     const double depth = size_.depth;
-    const double walk = form_.empty() ? measures().before_run : measures().least_before_run;
+    const double walk = std::min<double>(most, form_.empty() ? measures().before_run : measures().least_before_run);
     std::vector<Span> spans =
         shared(dresser_.room().free_along(wall, {0, depth}, {0, double(size_.height)}),
                dresser_.room().free_along(wall, {depth, depth + walk}, {0, double(size_.height)}, FreeRoom::Count::kStandingAndDoorways));
@@ -137,7 +138,7 @@ class KitchenRun {
       const Span gap{units[i].span.high, units[i + 1].span.low};
       if (gap.length() >= kChink && gap.length() < kOfUse && fill_in(wall, gap)) continue;
       if (gap.length() < kNarrowest || gap.length() > kWidestGap) continue;
-      for (const Span& span : shared({gap}, free_at(wall))) place(wall, span);
+      for (const Span& span : shared({gap}, free_at(wall, kBeforeGap))) place(wall, span);
     }
   }
 

@@ -34,6 +34,10 @@ void stand_at_free_wall(Dresser& dresser, const Dressing& row);
 void lie_under(Dresser& dresser, const Dressing& row);
 // "before": on the floor before the front of a thing, so far off as the row says.
 void lie_before(Dresser& dresser, const Dressing& row);
+// "middle": on the floor where much of it is free, nearest to the middle of the room.
+void lie_in_middle(Dresser& dresser, const Dressing& row);
+// "below": on the wall under what hangs there.
+void hang_below(Dresser& dresser, const Dressing& row);
 // "on": on the top of a thing where nothing stands.
 void stand_on(Dresser& dresser, const Dressing& row);
 // "at seats": on the edge of a table before each of its seats, where nothing stands.

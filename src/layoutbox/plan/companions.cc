@@ -10,6 +10,7 @@
 #include "layoutbox/catalog/measures.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/growing_scene.h"
+#include "layoutbox/plan/named_seats.h"
 #include "layoutbox/plan/spoken.h"
 #include "layoutbox/scene/relation_traits.h"
 
@@ -17,49 +18,6 @@ namespace layoutbox {
 namespace {
 
 constexpr int kMostSeats = 24;
-
-// What the text has of seats at tables, before any comes with them.
-struct NamedSeats {
-  // The text itself speaks of chairs or stools.
-  bool spoken_of = false;
-  // One stands by nothing in particular: it may well be meant for any table.
-  bool loose = false;
-  // "two desks, a meeting table with four chairs": all are those of another table, so that the desk's are still to come.
-  bool taken = false;
-  // … or of other desks: pupils' chairs are not the teacher's.
-  bool at_desks = false;
-
-  NamedSeats(const GrowingScene& scene, const Catalog& catalog) {
-    const auto is_at = [&](const std::string& host, bool desk) {
-      const SceneObject* object = scene.find(host);
-      if (object == nullptr) return false;
-      const CatalogEntry& kind = catalog.entry_or_nearest(object->category);
-      return kind.is(Trait::kTable) && kind.is(Trait::kDesk) == desk && !kind.is(Trait::kOccasional);
-    };
-    const auto is_table = [&](const std::string& host) { return is_at(host, false); };
-    const auto is_desk = [&](const std::string& host) { return is_at(host, true); };
-    bool concluded = false, asked = false, all_at_tables = true, all_at_desks = true;
-    for (const SceneObject& object : scene.graph().objects) {
-      concluded |= object.origin == Origin::kConcluded;
-      const CatalogEntry& kind = catalog.entry_or_nearest(object.category);
-      if (!kind.is(Trait::kTableSeat)) continue;
-      bool placed = false, at_table = false, at_desk = false;
-      for (const std::size_t r : scene.relations_of(object.id)) {
-        const Relation& relation = scene.graph().relations[r];
-        placed |= !relation.references.empty() || relation.type == RelationType::kAgainstWall;
-        at_table |= std::ranges::any_of(relation.references, is_table);
-        at_desk |= std::ranges::any_of(relation.references, is_desk);
-      }
-      loose |= !placed && !kind.is(Trait::kVisitorSeat);
-      asked |= object.asked();
-      all_at_tables &= at_table || !object.asked();
-      all_at_desks &= at_table || at_desk || !object.asked();
-    }
-    spoken_of = !concluded || asked;
-    taken = asked && all_at_tables;
-    at_desks = asked && all_at_desks;
-  }
-};
 
 class Companions {
  public:
@@ -96,6 +54,7 @@ class Companions {
     if (seating == nullptr || !(seating->comes || spoken_.says_any(groups_.sat_at)) || sized == nullptr || !sized->size ||
         sized->mount != Mount::kFloor)
       return;
+    if (sit_in_aid(id, *entry, *seating)) return;
     const CatalogEntry* seat = catalog_.find(seating->seat);
     const std::vector<Side> used = sized->used_sides.value_or(entry->used_sides);
     const auto is_used = [&](Side side) { return std::ranges::find(used, side) != used.end(); };
@@ -122,6 +81,23 @@ class Companions {
     const bool behind = serves || visited || (!is_used(Side::kFront) && is_used(Side::kBack));
     scene_.relate(behind ? RelationType::kBehind : RelationType::kInFrontOf, seats, id, measures().seat_at_hand);
     scene_.relate(RelationType::kFacing, seats, id);
+  }
+
+  // Who comes in a wheelchair needs no chair at the desk: it is drawn up there, where words put it nowhere else.
+  bool sit_in_aid(const std::string& desk, const CatalogEntry& entry, const Seating& seating) {
+    if (seating.seats != 1 || !entry.is(Trait::kDesk)) return false;
+    const auto is_sat_in = [&](const SceneObject& object) {
+      const CatalogEntry& kind = catalog_.entry_or_nearest(object.category);
+      return kind.is(Trait::kPersonalAid) && std::ranges::any_of(kind.spaces, [](const SpaceFormula& s) { return s.name == "seat"; });
+    };
+    const auto& objects = scene_.graph().objects;
+    const auto aid = std::ranges::find_if(objects, is_sat_in);
+    if (aid == objects.end() || scene_.has_seat(desk)) return false;
+    const std::string sitter = aid->id;
+    if (!scene_.relations_of(sitter).empty()) return true;
+    scene_.relate(RelationType::kInFrontOf, {sitter}, desk, measures().seat_at_hand);
+    scene_.relate(RelationType::kFacing, {sitter}, desk);
+    return true;
   }
 
   // What stands on something, and has nothing to stand on, gets what usually carries it in such a room: a record player in the corner a

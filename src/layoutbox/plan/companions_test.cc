@@ -194,5 +194,10 @@ TEST(Groups, SizesGrowWithTheSeats) {
   }
 }
 
+TEST(Companions, WhoComesInAWheelchairNeedsNoChairAtTheDesk) {
+  EXPECT_THAT(added_to("Study with a desk and a bookshelf."), testing::Contains("office_chair"));
+  EXPECT_THAT(added_to("Study with a desk, a wheelchair and a bookshelf."), testing::Not(testing::Contains("office_chair")));
+}
+
 }  // namespace
 }  // namespace layoutbox

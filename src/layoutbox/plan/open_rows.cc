@@ -56,6 +56,11 @@ class OpenRows {
   Size size_of(const std::string& id) const {
     const SceneObject* object = sized_.find_object(id);
     const SceneObject* own = scene_.find_object(id);
+    // What became longer for want of others along a wall is one of many here.
+    const CatalogEntry* kind = object == nullptr ? nullptr : catalog_.find(object->category);
+    const bool stretched =
+        kind != nullptr && object->size && object->size->usual.width > kind->size.greatest.width && own != nullptr && !own->size;
+    if (stretched && kind->is(Trait::kShelving)) return kind->size.usual;
     if (object != nullptr && object->size) return object->size->usual;
     return own == nullptr ? Size{} : catalog_.entry_or_nearest(own->category).size.usual;
   }

@@ -58,7 +58,7 @@ struct Wall {
 };
 
 // Where a text has the middle of a thing, or a door or window along its wall. Not in files: normalize_scene sets an opening's offset by it.
-struct PlaceSaid {
+struct SaidPlace {
   bool in_middle = false;           // of its wall
   std::string corner{};             // … or near the corner that is so called ("left", "back right")
   std::optional<Mm> from_corner{};  // … so far off it; empty: a hand's breadth
@@ -75,7 +75,7 @@ struct Opening {
   Swing swing = Swing::kInLeft;
   Origin origin = Origin::kAsked;         // else it is the first to be moved or narrowed
   std::vector<std::string> attributes{};  // what the text says of its look: "french", "round", "red" (catalog/words_openings.json)
-  PlaceSaid place{};
+  SaidPlace place{};
   std::string called{};  // what the text calls it ("front door"). Not in files.
   bool asked() const { return origin == Origin::kAsked; }
 };

@@ -32,7 +32,10 @@ Hollow hollow_of(const Body& body, const Space& space) {
 
 }  // namespace
 
-Shape space_before(const Face& opening) { return space_before(opening, opening.is_window() ? kWindowDepth : opening.length); }
+Shape space_before(const Face& opening) {
+  constexpr double kMostBeforeDoor = 1.2;  // as deep as it is wide, but for gates
+  return space_before(opening, opening.is_window() ? kWindowDepth : std::min(opening.length, kMostBeforeDoor));
+}
 
 Shape space_before(const Face& opening, double depth) {
   return make_box(opening.shape.center + opening.inward * (depth / 2), opening.length, depth, opening.shape.heights, opening.shape.frame);

@@ -130,7 +130,7 @@ void umbrella(Piece& p) {
 // Four posts, bars across and a loaded barbell.
 void squat_rack(Piece& p) {
   const int steel = p.main("black_metal"), chrome = p.named("chrome"), rubber = p.named("black_plastic");
-  const double x = p.w / 2, y = p.d / 2, t = std::min(0.07, p.w * 0.06), in = std::min(x * 0.45, 0.55);
+  const double x = p.w / 2, y = p.d / 2, t = std::min(0.07, p.w * 0.06), in = std::min(x * 0.62, 0.55);
   for (const double sx : {-1.0, 1.0}) {
     for (const double sy : {-1.0, 1.0})
       p.add(steel, box(sides(sx * in - t / 2, sx * in + t / 2, sy > 0 ? y - t : -y, sy > 0 ? y : -y + t, 0, p.h), 0.004));

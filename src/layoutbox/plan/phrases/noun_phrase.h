@@ -75,7 +75,7 @@ struct NounPhrase {
   bool niche = false;          // an alcove, a notch: a part of the room's outline
   std::string wall_word;       // left, right, back, front
   std::optional<double> sill;  // of a window: how high, metres
-  PlaceSaid place;             // in figures, or of a door or window along that wall
+  SaidPlace place;             // in figures, or of a door or window along that wall
   std::string wall_relation;   // opposite, other, adjacent, same
   SaidSize size;
   std::optional<double> hangs_at;         // "a shelf at 1.2 m": metres above the floor

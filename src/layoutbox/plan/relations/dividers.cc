@@ -73,13 +73,21 @@ int RelationBuilder::only_twin(int side) const {
 }
 
 // What nobody gave a size is as wide as parts something.
-void RelationBuilder::widen(int divider) {
-  constexpr Mm kParts = 1600;
+// … and hides all of a bed's width, from who sits.
+void RelationBuilder::widen(int divider, const std::vector<int>& sides) {
+  constexpr Mm kParts = 1600, kBeyondBed = 100, kHides = 1500;
   const NounPhrase& noun = noun_of_item(divider);
   SceneObject& object = scene_.objects[static_cast<std::size_t>(divider)];
-  if (noun.size.any() || object.size || noun.entry->size.usual.width >= kParts) return;
+  Mm bed = 0;
+  for (const int side : sides) {
+    const CatalogEntry* entry = noun_of_item(side).entry;
+    if (entry != nullptr && entry->is(Trait::kBed)) bed = entry->size.usual.width + kBeyondBed;
+  }
+  if (noun.size.any() || object.size || noun.entry->size.usual.width >= std::max(kParts, bed)) return;
   SizeRange size = noun.entry->size;
-  size.usual.width = std::min(kParts, size.greatest.width);
+  size.usual.width = std::max(std::min(kParts, size.greatest.width), bed);
+  size.greatest.width = std::max(size.greatest.width, size.usual.width);
+  if (bed > 0) size.usual.height = std::max(size.usual.height, std::min(kHides, size.greatest.height));
   object.size = size;
 }
 
@@ -124,7 +132,7 @@ void RelationBuilder::divide(std::size_t word) {
     const bool said_otherwise = said && r.type == R::kBetween && r.targets == std::vector<std::string>{own};
     return said_otherwise || ((by_it || it_by) && r.type != R::kDistance);
   });
-  widen(divider);
+  widen(divider, sides);
   add_habit(R::kBetween, {own}, parted, kTogether, "what parts two groups stands between them");
   scene_.relations.back().hard = true;
   scene_.relations.back().origin = Origin::kConcluded;

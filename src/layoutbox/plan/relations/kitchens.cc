@@ -7,6 +7,7 @@
 #include "layoutbox/plan/phrases/knowledge.h"
 #include "layoutbox/plan/relations/relation_builder_parts.h"
 #include "layoutbox/plan/room/kitchen_wall.h"
+#include "layoutbox/plan/room/room_reader.h"
 #include "layoutbox/plan/spoken.h"
 #include "layoutbox/scene/relation_traits.h"
 
@@ -216,6 +217,50 @@ void RelationBuilder::turn_other_leg(const std::vector<std::string>& units) {
   }
 }
 
+// The wall that a unit is told to be at, as words name it, or empty.
+std::string RelationBuilder::told_wall_of(const std::string& unit) const {
+  for (const std::size_t r : relations_of(unit)) {
+    const Relation& at = scene_.relations[r];
+    const bool wall = at.type == R::kAgainstWall || at.type == R::kCenteredOnWall;
+    if (wall && at.references.size() == 1 && at.targets == std::vector{unit}) return at.references[0];
+  }
+  return {};
+}
+
+// "A sink facing the range": at the wall across from it. And what is worked at is in the run that the text has a counter for.
+void RelationBuilder::stand_at_walls_of_run(const std::vector<std::string>& units) {
+  const auto conclude = [&](const std::string& unit, const std::string& wall, const char* why) {
+    add_habit(R::kAgainstWall, {unit}, {wall}, kTogether, why);
+    scene_.relations.back().origin = Origin::kConcluded;
+  };
+  std::string of_counter;
+  for (const std::string& unit : units) {
+    const CatalogEntry* entry = noun_of_object(*object_of(unit)).entry;
+    if (of_counter.empty() && entry->is(Trait::kCounter) && !entry->is(Trait::kWashUp)) of_counter = told_wall_of(unit);
+  }
+  for (const std::string& unit : units) {
+    if (!told_wall_of(unit).empty()) continue;
+    const std::vector<std::size_t> own = relations_of(unit);
+    const auto looks = std::ranges::find_if(own, [&](std::size_t r) {
+      const Relation& look = scene_.relations[r];
+      return look.type == R::kFacing && look.targets == std::vector{unit} && look.references.size() == 1 &&
+             stands_in_run(look.references[0]);
+    });
+    if (looks != own.end()) {
+      const std::string across = wall_across(told_wall_of(scene_.relations[*looks].references[0]));
+      if (!across.empty()) conclude(unit, across, "what faces a unit is at the wall across from it");
+      continue;
+    }
+    const CatalogEntry* entry = noun_of_object(*object_of(unit)).entry;
+    const bool placed = std::ranges::any_of(own, [&](std::size_t r) {
+      const RelationTraits& traits = traits_of(scene_.relations[r].type);
+      return scene_.relations[r].asked() && !traits.sideways && !traits.close_by;
+    });
+    if (!of_counter.empty() && !placed && (entry->is(Trait::kWashUp) || entry->is(Trait::kHob)))
+      conclude(unit, of_counter, "what is worked at is in the run");
+  }
+}
+
 void RelationBuilder::settle_kitchen() {
   build_in_ovens();
   stand_hobs();
@@ -224,6 +269,7 @@ void RelationBuilder::settle_kitchen() {
   for (Relation& relation : scene_.relations) place_in_run(relation, units);
   share_out_over_run(units);
   line_up_units(units);
+  stand_at_walls_of_run(units);
   for (const KitchenForm& form : Dressings::builtin().kitchen_forms) {
     if (!Spoken(scene_, {}, catalog_).says_any(form.words)) continue;
     if (form.form == "L") turn_other_leg(units);

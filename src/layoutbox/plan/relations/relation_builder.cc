@@ -49,6 +49,7 @@ void RelationBuilder::run() {
   set_coordinates();
   settle_kitchen();
   settle_seat_heights();
+  stand_at_both_sides();
   part_groups();
   part_halves();
   share_like_sides();

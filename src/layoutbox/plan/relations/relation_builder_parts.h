@@ -118,6 +118,7 @@ class RelationBuilder : private RelationWriter {
   void add_in_middle(const Link& link, const PhraseSense& sense, const std::vector<int>& targets);
   bool is_tall_end(const Link& link, int target) const;
   bool in_ring(const std::vector<int>& targets, const std::vector<int>& references) const;
+  void hang_beside(const std::vector<int>& targets, int host);
   bool add_at_sides(const Link& link, const PhraseSense& sense, const std::vector<int>& targets, int host);
   void add_shares(const Link& link, const PhraseSense& sense, const std::vector<int>& targets, const std::vector<int>& references);
   // Two of a kind that stand by beds (sofas …) "beside" one stand on either side of it.
@@ -177,7 +178,7 @@ class RelationBuilder : private RelationWriter {
   int side_at(std::size_t i) const;
   int other_side(int divider, int side) const;
   int only_twin(int side) const;
-  void widen(int divider);
+  void widen(int divider, const std::vector<int>& sides = {});
   void divide(std::size_t word);
   void part_groups();
   void part_halves();
@@ -196,12 +197,15 @@ class RelationBuilder : private RelationWriter {
   void place_in_run(Relation& relation, const std::vector<std::string>& units);
   void share_out_over_run(const std::vector<std::string>& units);
   void settle_kitchen();
+  std::string told_wall_of(const std::string& unit) const;
+  void stand_at_walls_of_run(const std::vector<std::string>& units);
   void leave_window_to_sink();
   void add_front();
   void show_where_seated();
   bool shows_in(RoomRegion region) const;
   void middle_what_is_surrounded();
   void add_end_walls();
+  void serve_towards_room(const SceneObject& counter, const std::string& end);
   void hang_hoods();
   void screen_from_door();
   void add_habit(RelationType type, std::vector<std::string> targets, std::vector<std::string> references, int weight, std::string why);
@@ -222,6 +226,13 @@ class RelationBuilder : private RelationWriter {
   void share_doors();
   void hang_bed_curtains();
   void hang_within();
+  void stand_within();
+  void stand_before_sitters();
+  void sit_in_aids();
+  void touch_back_to_back();
+  void lie_along_walls();
+  void wait_at_walls();
+  void stand_at_both_sides();
   bool is_eaten_at(const NounPhrase& noun) const;
   void seat_those_who_wait();
   bool alone_faces(const Relation& facing) const;
@@ -275,6 +286,7 @@ class RelationBuilder : private RelationWriter {
   std::vector<std::vector<std::size_t>> small_neighbours() const;
   std::string host_with_room(std::string host, const NounPhrase& thing) const;
   std::string host_spoken_of(std::size_t index);
+  bool is_sat_round(const std::string& table, const NounPhrase& thing) const;
   std::size_t sentence_of(std::size_t token);
   bool only_small(const std::vector<std::string>& ids) const;
   const CatalogEntry* wall_kind(const NounPhrase& noun) const;

@@ -154,6 +154,7 @@ void RelationBuilder::add_end_walls() {
     // "sofa and TV on the right": the screen is at the wall, and the sofa looks at it.
     const bool watches = (entry->is(Trait::kEasySeat) || entry->is(Trait::kCenterPiece)) && shows_in(*region.parameters.region);
     if (watches) continue;
+    serve_towards_room(*object, std::string(end));
     const bool hangs = object->mount.value_or(entry->mount) == Mount::kWall || (entry->is(Trait::kScreen) && entry->is(Trait::kElseOnWall));
     // A kitchen's units go on to that end, and do not turn the corner there.
     const bool stands =
@@ -265,6 +266,10 @@ void RelationBuilder::make_islands() {
 void RelationBuilder::add_habits() {
   hang_bed_curtains();
   hang_within();
+  stand_within();
+  stand_before_sitters();
+  sit_in_aids();
+  touch_back_to_back();
   middle_what_is_surrounded();
   add_front();
   share_doors();
@@ -281,6 +286,8 @@ void RelationBuilder::add_habits() {
   face_as_group();
   face_as_crowd();
   lay_beds_along();
+  lie_along_walls();
+  wait_at_walls();
   share_nightstand();
   head_row_of_beds();
   keep_to_one_wall();

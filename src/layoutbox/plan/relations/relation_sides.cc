@@ -3,6 +3,7 @@
 #include <set>
 
 #include "layoutbox/catalog/groups.h"
+#include "layoutbox/catalog/kin.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/phrases/knowledge.h"
 #include "layoutbox/plan/phrases/reader_words.h"
@@ -103,6 +104,7 @@ bool RelationBuilder::add_at_sides(const Link& link, const PhraseSense& sense, c
     }
     return true;
   }
+  hang_beside(targets, host);
   if (!is_seat(catalog_, noun_of_item(targets.front())) || !is_table(catalog_, noun_of_item(host))) return false;
   // "two chairs, one at each end" of a table
   const std::string said = words_between(document_, link.first, link.last);
@@ -121,6 +123,17 @@ bool RelationBuilder::add_at_sides(const Link& link, const PhraseSense& sense, c
   if (targets.size() < 4 && link.sides <= 2 && !wide) return false;
   add_seats_at_sides(link, targets, host);
   return true;
+}
+
+// "rails on both sides" of a toilet: of which only one could be on a wall beside it, so both come from the wall behind.
+void RelationBuilder::hang_beside(const std::vector<int>& targets, int host) {
+  const CatalogEntry* between = noun_of_item(host).entry;
+  if (targets.size() != 2 || between == nullptr || !between->back_to_wall || between->size.usual.depth <= between->size.usual.width) return;
+  for (const int target : targets) {
+    SceneObject& object = scene_.objects[static_cast<std::size_t>(target)];
+    const CatalogEntry* form = kind_at(catalog_, object.category, KinPlace::kAtSides);
+    if (form != nullptr && !object.size) object.category = form->id;
+  }
 }
 
 // Several hosts share the targets out.

@@ -3,6 +3,7 @@
 
 #include "layoutbox/catalog/groups.h"
 #include "layoutbox/catalog/kin.h"
+#include "layoutbox/catalog/opening_look.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/phrases/knowledge.h"
 #include "layoutbox/plan/phrases/reader_words.h"
@@ -78,7 +79,8 @@ void RelationBuilder::lay_beds_along() {
 // "a washer and a dryer, a counter above them": they stand under it.
 void RelationBuilder::stand_under_counters() {
   for (Relation& relation : scene_.relations) {
-    if (relation.type != R::kAbove || relation.targets.size() != 1 || relation.references.empty()) continue;
+    const bool on_top = relation.type == R::kOn && words_.have(relation, "top");
+    if ((relation.type != R::kAbove && !on_top) || relation.targets.size() != 1 || relation.references.empty()) continue;
     const auto stands = [&](const std::string& id) {
       const SceneObject* object = object_of(id);
       return object != nullptr && mount_of(noun_of_object(*object)) == Mount::kFloor;
@@ -90,11 +92,17 @@ void RelationBuilder::stand_under_counters() {
     if (!stands(relation.targets.front())) continue;
     std::swap(relation.targets, relation.references);
     relation.type = R::kUnder;
+    std::ranges::find(scene_.objects, relation.references.front(), &SceneObject::id)->mount = Mount::kFloor;
     // "a washer and a dryer side by side, a counter above them": both.
-    const bool them = words_.have(relation, "them"), one = relation.targets.size() == 1;
+    const bool them = on_top || words_.have(relation, "them");
     for (const Relation& beside : scene_.relations) {
-      if (!them || !one || beside.type != R::kNextTo || beside.targets != relation.targets || beside.references.size() != 1) continue;
-      if (stands(beside.references.front())) relation.targets.push_back(beside.references.front());
+      if (!them || beside.type != R::kNextTo || beside.targets.size() != 1 || beside.references.size() != 1) continue;
+      const bool first = beside.targets == relation.targets, second = beside.references == relation.targets;
+      const std::string& mate = first ? beside.references.front() : beside.targets.front();
+      if ((!first && !second) || mate == relation.references.front() || !stands(mate) ||
+          (on_top && !words_.have_phrase(beside, {"side", "by", "side"})))
+        continue;
+      relation.targets.push_back(mate);
       break;
     }
   }
@@ -122,16 +130,25 @@ void RelationBuilder::leave_room_to_serve() {
 
 // Cars stand nose to the garage door, side by side.
 void RelationBuilder::park_cars() {
-  const auto door = std::ranges::find_if(scene_.room.openings, [](const Opening& o) {
-    return o.type == OpeningType::kDoor && std::ranges::any_of(o.attributes, [](const std::string& look) {
-             return look.find("garage") != std::string::npos || look.find("roller") != std::string::npos;
-           });
-  });
+  constexpr Mm kTwoAbreast = 5500;
+  const auto door = std::ranges::find_if(
+      scene_.room.openings, [](const Opening& o) { return o.type == OpeningType::kDoor && look_of(o).leaf == Leaf::kSectional; });
+  // One drives straight in; where two cars have room and nobody says how wide it is, the door is for both.
+  if (door != scene_.room.openings.end() && door->origin == Origin::kAssumed) {
+    if (door->wall.empty()) door->wall = "front";
+    const Point far = scene_.room.polygon.size() == 4 ? scene_.room.polygon[2] : Point{};
+    std::vector<std::string> wide{"double " + door->attributes.front()};
+    const OpeningLook look = opening_look(OpeningType::kDoor, wide);
+    if (far.x >= kTwoAbreast && look.width) door->attributes = wide, door->width = *look.width;
+  }
   std::string first;
   for (const SceneObject& object : scene_.objects) {
     if (!catalog_.entry_or_nearest(object.category).is(Trait::kParked)) continue;
-    if (first.empty() && door != scene_.room.openings.end())
+    if (first.empty() && door != scene_.room.openings.end()) {
       add_habit(R::kFacing, {object.id}, {door->id}, kTogether, "cars leave by the garage door");
+      scene_.relations.back().hard = true;
+      scene_.relations.back().origin = Origin::kConcluded;
+    }
     if (!first.empty()) add_habit(R::kSameOrientation, {object.id}, {first}, kTogether, "cars are parked side by side");
     if (first.empty()) first = object.id;
   }

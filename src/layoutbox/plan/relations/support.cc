@@ -135,7 +135,8 @@ std::string RelationBuilder::host_spoken_of(std::size_t index) {
     if (const std::string host = host_with_room(said_support(scene_.objects[i].id), thing); !host.empty()) said = host;
     const bool has_top = is_table(catalog_, noun) || (noun.entry != nullptr && noun.entry->is(Trait::kCounter)) ||
                          (noun.entry != nullptr && catalog_.is_a(noun.entry->id, "bathroom_vanity"));
-    if (mount_of(noun) == Mount::kFloor && has_top && may_carry(catalog_, noun, thing)) named = scene_.objects[i].id;
+    if (mount_of(noun) == Mount::kFloor && has_top && may_carry(catalog_, noun, thing) && !is_sat_round(scene_.objects[i].id, thing))
+      named = scene_.objects[i].id;
   }
   return said.empty() ? named : said;
 }

@@ -144,9 +144,13 @@ void add_door_of_kind(const Catalog& catalog, SceneGraph& scene) {
   Room& room = scene.room;
   const RoomKind* kind = catalog.find_room(room.type);
   if (kind == nullptr || kind->door.empty()) return;
-  const bool told = std::ranges::any_of(room.openings, [&](const Opening& o) {
-    return o.type == OpeningType::kDoor && std::ranges::find(o.attributes, kind->door) != o.attributes.end();
-  });
+  Opening usual;
+  usual.type = OpeningType::kDoor, usual.attributes = {kind->door};
+  const auto is_it = [&](const Opening& o) {
+    const bool alike = look_of(usual).leaf != Leaf::kPanelled && look_of(o).leaf == look_of(usual).leaf;  // "a roll-up door"
+    return alike || std::ranges::find(o.attributes, kind->door) != o.attributes.end();
+  };
+  const bool told = std::ranges::any_of(room.openings, [&](const Opening& o) { return o.type == OpeningType::kDoor && is_it(o); });
   // Of two doors that are named one is it.
   const auto doors = std::ranges::count(room.openings, OpeningType::kDoor, &Opening::type);
   if (told || doors > 1) return;

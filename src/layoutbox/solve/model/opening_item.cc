@@ -101,7 +101,11 @@ RoomWall room_wall(const Wall& wall) {
   return out;
 }
 
-Mm clear_depth(const Opening& opening) { return opening.type == OpeningType::kWindow ? kWindowDepth : opening.width; }
+// Before a gate as deep as one that walks through needs, however wide it is.
+Mm clear_depth(const Opening& opening) {
+  constexpr Mm kMostBeforeDoor = 1200;
+  return opening.type == OpeningType::kWindow ? kWindowDepth : std::min(opening.width, kMostBeforeDoor);
+}
 
 Item opening_item(const Opening& opening, const Room& room, std::span<const RoomWall> walls) {
   Item item;

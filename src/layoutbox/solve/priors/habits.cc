@@ -62,6 +62,7 @@ void Habits::stand(ItemId index) {
   lie_straight(index);
   lie_along_window(index);
   stand_near_door(index);
+  stand_at_back_of_seat(index);
   keep_before_counter(index);
   wait_before_counter(index);
   face_entrance(index);

@@ -190,6 +190,7 @@ class Habits {
   bool sit_at(ItemId item, ItemId host, int hosts);
   bool hang_along_side(ItemId item);
   void stand_edge_on(ItemId item, ItemId host);
+  void stand_at_back_of_seat(ItemId item);
   void stand_at(ItemId item, ItemId host, int hosts);
   // Seats that stand in a row along a side of what they look at.
   struct SeatRow {
@@ -273,6 +274,7 @@ class Habits {
   void stand_before_middle_of(const std::vector<ItemId>& crowd, ItemId faced);
   void stand_in_run(ItemId item);
   void keep_tall_off_worked_at(ItemId item);
+  void have_worktop_aside(ItemId item);
   bool stand_along_run(ItemId item);
   bool only_told_its_wall(ItemId item) const;
   void stand_in_wall_row(ItemId item);

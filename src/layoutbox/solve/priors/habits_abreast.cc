@@ -62,6 +62,26 @@ void Habits::stand_in_run(ItemId item) {
   }
   if (!f.cases.empty()) habit("in the run", item, kOfRun, std::move(f));
   keep_tall_off_worked_at(item);
+  have_worktop_aside(item);
+}
+
+// … nor with one in the wall: who cooks has worktop at both sides.
+void Habits::have_worktop_aside(ItemId item) {
+  constexpr int kAside = 150;  // points a metre
+  const Item& self = model_.items[item];
+  const bool worked_at = self.is(Trait::kHob);
+  const bool kitchen =
+      std::ranges::count_if(model_.items, [](const Item& i) { return i.mount == Mount::kFloor && i.is(Trait::kKitchenRun); }) > 2;
+  if (!worked_at || !kitchen || self.states[0].size.height >= measures().tall_from || placed_by_relation_besides_walls(item)) return;
+  const Mm aside = measures().worktop_between;
+  Formula f;
+  for (const RoomWall& wall : model_.walls) {
+    if (!wall.straight || wall.hi - wall.lo < 2 * aside + self.states[0].size.width) continue;
+    Case& c = f.add().when(item, states_with_back_to(self, wall));
+    c.require(lo(item, wall.along) - Linear(std::int64_t{wall.lo} + aside))
+        .require(Linear(std::int64_t{wall.hi} - aside) - hi(item, wall.along));
+  }
+  if (!f.cases.empty()) habit("worktop at both sides", item, kAside, std::move(f));
 }
 
 // Nobody cooks or washes up with an elbow in the fridge: a hand of worktop is between what is tall and what is no worktop.

@@ -12,6 +12,9 @@ bool Habits::stand_beside(ItemId item) {
   if (stand_as_told_by(item)) return true;
   std::vector<ItemId> hosts = hosts_beside(item);
   if (hosts.empty()) return false;
+  const Item &self = model_.items[item], &first = model_.items[hosts[0]];
+  const bool served_over = self.has_front && self.is(Trait::kOpenToRoom) && !self.is(Trait::kCounter);
+  if (served_over && first.has_front && first.is(Trait::kCounter)) turn_as(item, hosts[0]);  // in one line with it
   if (const std::optional<ItemId> told = told_host(item, hosts)) {
     if (!leaves_usual_place(item, *told)) {
       come_near(item, *told);

@@ -126,8 +126,8 @@ void Habits::open_to_room(ItemId item, int weight) {
 
 // Behind a bar is who serves: the guests' tables stand before it.
 void Habits::keep_before_counter(ItemId item) {
-  constexpr Mm kBefore = 700;
-  constexpr int kGuests = 300;  // points a metre
+  constexpr Mm kBefore = 800, kStools = 700;  // a chair and a way; the stools at the bar besides
+  constexpr int kGuests = 300;                // points a metre
   const Item& self = model_.items[item];
   if (!self.is(Trait::kTable) || self.is(Trait::kDesk) || self.is(Trait::kCounter)) return;
   for (const ItemId host : model_.items.ids()) {
@@ -135,10 +135,11 @@ void Habits::keep_before_counter(ItemId item) {
     const bool bar_or_desk = (bar.is(Trait::kCounter) && bar.is(Trait::kOpenToRoom) && bar.has_front) || is_served_over(host);
     if (is_window_bar(host)) continue;
     if (host == item || !bar_or_desk || related(item, host)) continue;
+    const Mm before = kBefore + (has_sitters(host) ? kStools : 0);
     Formula f;
     for_each_turn(bar, [&](int turn, std::uint64_t states) {
       if (turn % 90 != 0) return;
-      f.add().when(host, states).require(gap_towards(item, host, side_direction(bar, Side::kFront, turn)) - Linear(kBefore));
+      f.add().when(host, states).require(gap_towards(item, host, side_direction(bar, Side::kFront, turn)) - Linear(before));
     });
     habit("before the bar", item, kGuests, std::move(f));
   }
@@ -214,6 +215,11 @@ void Habits::open_well(ItemId item) {
     }
     if (const auto [rank, count] = window_in_wall(item); count > 0 && count % 2 == 0) {  // "a window on each side of it"
       f.add().when(item, states).wish(mid2(item, wall.along) - Linear(std::int64_t{wall.lo} + wall.hi), kOpeningPlace, 2);
+      continue;
+    }
+    if (2 * opening.width > wall.hi - wall.lo) {  // a gate
+      Case& c = f.add().when(item, states);
+      c.wish(mid2(item, wall.along) - Linear(std::int64_t{wall.lo} + wall.hi), kOpeningPlace, 2).price = wall.turn == 180 ? 0 : 30;
       continue;
     }
     for (const bool low : {true, false}) {

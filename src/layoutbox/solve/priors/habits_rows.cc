@@ -14,12 +14,18 @@ constexpr Mm kMostUnderWindow = 300;  // off the wall, as the relation has it
 
 }  // namespace
 
-// Where guests or customers are served, which nobody placed, if anywhere.
+// Where guests or customers are served, of which words say at most at which wall or end of the room it is, if anywhere.
 ItemId Habits::counter_of_room() const {
+  const auto only_told_end = [&](ItemId bar) {
+    return std::ranges::all_of(said_of(bar), [&](const Relation* r) {
+      if (std::ranges::find(r->targets, model_.items[bar].id) == r->targets.end() || traits_of(r->type).turns) return true;
+      return r->type == RelationType::kInRegion || r->type == RelationType::kAgainstWall;
+    });
+  };
   for (const ItemId i : model_.items.ids()) {
     const Item& bar = model_.items[i];
     const bool served_over = bar.is(Trait::kCounter) && bar.is(Trait::kOpenToRoom) && bar.has_front && bar.mount == Mount::kFloor;
-    if (served_over && used_sides(bar).size() < 4 && !placed_besides_facing(i)) return i;
+    if (served_over && used_sides(bar).size() < 4 && only_told_end(i)) return i;
   }
   return {};
 }

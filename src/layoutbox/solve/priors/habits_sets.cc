@@ -157,4 +157,25 @@ void Habits::keep_off_play(ItemId item) {
   }
 }
 
+// A lamp to read by stands beside the back of its seat, where it is in nobody's way.
+void Habits::stand_at_back_of_seat(ItemId item) {
+  constexpr int kAtBack = 200;  // points a metre
+  const Item& self = model_.items[item];
+  if (!self.is(Trait::kLamp) || self.mount != Mount::kFloor) return;
+  for (const ItemId host : model_.items.ids()) {
+    const Item& seat = model_.items[host];
+    if (seat.is_opening() || !seat.has_front || !(seat.is(Trait::kEasySeat) || seat.is(Trait::kCenterPiece))) continue;
+    const bool before = related_as_target(item, host, RelationType::kBehind) || related_as_target(item, host, RelationType::kInFrontOf);
+    if (before || !related_by_any(item, host, relations_that<&RelationTraits::close_by>())) continue;
+    Formula f;
+    for_each_turn(seat, [&](int turn, std::uint64_t states) {
+      if (turn % 90 != 0) return;
+      const Direction back = side_direction(seat, Side::kBack, turn);
+      f.add().when(host, states).wish(reach(item, back) - reach(host, back), kAtBack);
+    });
+    if (!f.cases.empty()) habit("at the back of its seat", item, kAtBack, std::move(f), {host});
+    return;
+  }
+}
+
 }  // namespace layoutbox::placement

@@ -129,7 +129,7 @@ void Habits::stay_before_screen(ItemId item, ItemId screen) {
 
 // A sofa has its screen before it, not behind its back, whatever a bed sees of that.
 void Habits::have_screen_before(ItemId item, ItemId screen) {
-  constexpr Mm kLeast = 800;
+  constexpr Mm kLeast = 950;
   Formula f;
   for_each_turn(model_.items[item], [&](int turn, std::uint64_t states) {
     if (turn % 90 == 0)
