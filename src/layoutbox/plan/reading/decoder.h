@@ -212,6 +212,7 @@ class Decoder {
   double before_other_score(const State& state, const NounPhrase& target, Referent referent, const PhraseSenses& senses) const;
   bool is_carried(const State& state, Referent referent) const;
   bool lies_on(const State& state, Referent one, Referent other) const;
+  bool several_last_of(const State& state, Referent list) const;
   bool is_tied_to(const State& state, Referent referent, Referent subject, const PhraseSenses* senses, bool list) const;
   bool is_told_on_floor(const State& state, int subject) const;
   double antecedent_place_score(const State& state, Referent referent, Referent subject, const PhraseSenses& senses,

@@ -43,6 +43,9 @@ double Decoder::antecedent_place_score(const State& state, Referent referent, Re
   const bool side = says(senses, RelationType::kLeftOf) || says(senses, RelationType::kRightOf);
   const bool lies = says(senses, &RelationTraits::rests);
   const Referent owner = subject >= 0 ? host_of(state, subject) : kNobody;
+  // "a bed with two nightstands, a lamp on each": of several
+  const bool each = noun != nullptr && noun->determiner == Determiner::kEach && noun->kind != NounKind::kObject;
+  if (each && !several(state, referent)) score += weight::kUnlikely;
   if (subject >= 0 && referent == owner && side) score += weight::kOwnHost;
   // "holds a laptop, with a mug to its left": of what stands on the same thing.
   const bool fellow = subject >= 0 && referent >= 0 && owner != kNobody && referent != owner && host_of(state, referent) == owner &&

@@ -69,6 +69,17 @@ int Decoder::things_of(const State& state, Referent referent, bool list) const {
   return things;
 }
 
+// A list of which only the last are several.
+bool Decoder::several_last_of(const State& state, Referent list) const {
+  if (list < 0 || chunk(list).noun.count < 2) return false;
+  bool one = false;
+  for (int m = read_as(state, list).former; m >= 0; m = read_as(state, m).former) {
+    if (chunk(m).noun.is_plural()) return false;
+    one = true;
+  }
+  return one;
+}
+
 // What lies on the subject, what it lies on, itself, what has it: nothing is placed by these.
 bool Decoder::is_tied_to(const State& state, Referent referent, Referent subject, const PhraseSenses* senses, bool list) const {
   // Nothing is placed by what lies on it, nor between what it has.
@@ -108,6 +119,9 @@ bool Decoder::consider(std::vector<Candidate>& all, const State& state, Referent
   const bool heap = noun != nullptr && noun->plural && meant.collective;  // "a stack of plates, a jug beside them"
   if (noun != nullptr)
     score += number_score(*noun, list || heap || several(state, referent)) + rank_score(*noun, things_of(state, referent, list));
+  // "a bed and two nightstands, a lamp on each": of the nightstands
+  const bool each = list && noun != nullptr && noun->determiner == Determiner::kEach && several_last_of(state, referent);
+  if (each) score += weight::kNotBeside;
   if (senses != nullptr && subject != kNobody && is_thing(state, subject))
     score += antecedent_place_score(state, referent, subject, *senses, noun);
   for (Candidate& before : all) {
@@ -207,8 +221,10 @@ double Decoder::clause_antecedents(const State& state, const NounPhrase* noun, c
     order += trial(state.frontier[f], order, false) ? 0.4 : 0;
   }
   if (noun != nullptr && noun->determiner == Determiner::kOther) others_of(state, *noun, order, trial);
-  // "one", "the other": of any group that was named.
-  for (int u = static_cast<int>(state.units.size()); noun != nullptr && noun->kind == NounKind::kMember && !listed && u-- > 0;) {
+  // "one", "the other", "each": of any group that was named.
+  const bool of_any = noun != nullptr && (!listed || noun->determiner == Determiner::kEach) && noun->head.empty();
+  const bool member = noun != nullptr && noun->kind == NounKind::kMember && (!listed || of_any);
+  for (int u = static_cast<int>(state.units.size()); member && u-- > 0;) {
     if (!is(u, UnitKind::kNoun) || read_as(state, u).role == NounRole::kUnread || !several(state, u)) continue;
     trial(u, order, false);
     order += 0.3;

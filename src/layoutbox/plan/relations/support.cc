@@ -270,9 +270,12 @@ void RelationBuilder::leave_small_vessels() {
 // "On the far wall, a mixer rests on a cabinet", "a bowl on the table under the window, with a jug": the cabinet, the table stand there.
 void RelationBuilder::stand_carriers_at_walls() {
   for (Relation& relation : scene_.relations) {
-    const bool by_window = relation.type == R::kUnderWindow;
-    if ((relation.type != R::kOnWall && relation.type != R::kAgainstWall && !by_window) || relation.targets.size() != 1) continue;
+    const bool by_window = relation.type == R::kUnderWindow, in_room = relation.type == R::kCorner || relation.type == R::kCenterOfRoom;
+    const bool at_wall = relation.type == R::kOnWall || relation.type == R::kAgainstWall;
+    if ((!at_wall && !by_window && !in_room) || relation.targets.size() != 1) continue;
     const SceneObject* thing = object_of(relation.targets.front());
+    // "In the middle of the room, on a lectern, rests a psalter"; but "on the desk a lamp in the left corner"
+    if (thing != nullptr && in_room && !words_.are_before(relation, noun_of_object(*thing).first)) continue;
     const std::string carrier = said_support(relation.targets.front());
     const SceneObject* host = object_of(carrier);
     if (thing == nullptr || host == nullptr || mount_of(noun_of_object(*thing)) != Mount::kSurface || has_wall_kind(noun_of_object(*thing)))
@@ -280,7 +283,7 @@ void RelationBuilder::stand_carriers_at_walls() {
     const std::vector<std::size_t>& all = relations_of(carrier);
     const bool placed = std::any_of(all.begin(), all.end(), [&](std::size_t r) { return stands_elsewhere(scene_.relations[r].type); });
     if ((placed && !by_window) || mount_of(noun_of_object(*host)) != Mount::kFloor) continue;
-    if (!by_window) relation.type = R::kAgainstWall;
+    if (at_wall) relation.type = R::kAgainstWall;
     relation.targets = {carrier};
     of_target_[carrier].push_back(static_cast<std::size_t>(&relation - scene_.relations.data()));
   }

@@ -31,6 +31,12 @@ bool is_kept(const std::vector<Token>& tokens, std::size_t at) {
          std::find(std::begin(kSide), std::end(kSide), tokens[at - 1].text) == std::end(kSide);
 }
 
+// "an Eames-like chair": in that style.
+bool is_likeness(const std::vector<Token>& tokens, std::size_t at) {
+  return tokens[at].text == "like" && at > 0 && tokens[at].glued && tokens[at - 1].kind == Token::Kind::kWord &&
+         tokens[at].begin == tokens[at - 1].end + 1;
+}
+
 }  // namespace
 
 std::vector<Token> settle_on(const std::vector<Token>& tokens) {
@@ -45,6 +51,7 @@ std::vector<Token> settle_on(const std::vector<Token>& tokens) {
     if (i == 0 || i + 1 >= tokens.size() || !joins_on(tokens[i], tokens[i + 1])) {
       out.push_back(tokens[i]);
       if (is_kept(tokens, i)) out.back().text = "kept";
+      if (is_likeness(tokens, i)) out.back().text = "styled";
       continue;
     }
     Token& word = out.emplace_back(tokens[i + 1]);
