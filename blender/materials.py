@@ -152,7 +152,8 @@ def paint_logs(nodes, point, row):
     _, y = split_point(nodes, point)
     bulge = math_node("SINE", math_node("MULTIPLY", math_node("FRACT", y, 0.0), math.pi), 0.0)
     nodes.bump(bulge, 6.0, 0.8)
-    round_tone = nodes.ramp(bulge, (0.0, between(second, (0, 0, 0), 0.5)), (0.22, second), (0.6, base), (1.0, between(base, (1, 1, 1), 0.12)))
+    dark, pale = between(second, (0, 0, 0), 0.5), between(base, (1, 1, 1), 0.12)
+    round_tone = nodes.ramp(bulge, (0.0, dark), (0.22, second), (0.6, base), (1.0, pale))
     return nodes.mix(0.4, round_tone, wood_grain(nodes, point, row, 0.8, along=0.6, across=9.0))
 
 
