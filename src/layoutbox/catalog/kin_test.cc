@@ -76,6 +76,7 @@ TEST(Kin, WhatIsElsewhereThanMostlyIsOfAnotherKind) {
   EXPECT_EQ(at("plant", KinPlace::kOnThing), "small_plant");
   EXPECT_EQ(at("table", KinPlace::kBetweenSeats), "side_table");
   EXPECT_EQ(at("table", KinPlace::kBetweenSofas), "coffee_table");
+  EXPECT_EQ(at("lantern", KinPlace::kOnCeiling), "hanging_lantern");
   EXPECT_EQ(at("curtain_rod", KinPlace::kAroundBed), "privacy_curtain");
   EXPECT_EQ(at("sink", KinPlace::kSetIn), "inset_sink");
   EXPECT_EQ(at("grab_rail", KinPlace::kAtSides), "fold_down_rail");

@@ -171,22 +171,8 @@ void tea_set(Piece& p) {
   }
 }
 
-void lantern(Piece& p) {
-  const int metal = p.main("black_metal");
-  const double x = p.w / 2, y = p.d / 2, t = std::min(x, y) * 0.12, body = p.h * 0.72, ring = p.h * 0.1;
-  for (const double z : {0.0, body - t}) p.add(metal, box(sides(-x, x, -y, y, z, z + t), t * 0.2));
-  for (const double sx : {-1.0, 1.0}) {
-    for (const double sy : {-1.0, 1.0})
-      p.add(metal, box(sides(sx > 0 ? x * 0.96 - t : -x * 0.96, sx > 0 ? x * 0.96 : t - x * 0.96, sy > 0 ? y * 0.96 - t : -y * 0.96,
-                             sy > 0 ? y * 0.96 : t - y * 0.96, t * 0.9, body - t * 0.9),
-                       0));
-  }
-  p.add(metal, taper({0, 0, body - 0.001}, {x * 0.92, y * 0.92}, {0, 0, p.h - ring}, {x * 0.25, y * 0.25}));
-  p.add(metal, torus({0, 0, 0}, ring * 0.42, ring * 0.1, 18, 6), aimed({0, 0, p.h - ring * 0.52}, {0, 1, 0}));
-  const double wax = body * 0.42, r = std::min(x, y) * 0.42;
-  p.add(p.named("wax"), cylinder({0, 0, t}, r, wax, 20));
-  p.add(p.named("ember"), lathe({{0, 0}, {r * 0.2, wax * 0.12}, {r * 0.14, wax * 0.26}, {0, wax * 0.45}}, 10), moved(0, 0, t + wax));
-  p.light({0, 0, t + wax * 1.5}, 3, 0.03);
+void lantern_on_foot(Piece& p) {
+  lantern(p, p.h);
   p.fit();
 }
 
@@ -215,12 +201,30 @@ void pen_holder(Piece& p) {
 
 }  // namespace
 
+void lantern(Piece& p, double high) {
+  const int metal = p.main("black_metal");
+  const double x = p.w / 2, y = p.d / 2, t = std::min(x, y) * 0.12, body = high * 0.72, ring = high * 0.1;
+  for (const double z : {0.0, body - t}) p.add(metal, box(sides(-x, x, -y, y, z, z + t), t * 0.2));
+  for (const double sx : {-1.0, 1.0}) {
+    for (const double sy : {-1.0, 1.0})
+      p.add(metal, box(sides(sx > 0 ? x * 0.96 - t : -x * 0.96, sx > 0 ? x * 0.96 : t - x * 0.96, sy > 0 ? y * 0.96 - t : -y * 0.96,
+                             sy > 0 ? y * 0.96 : t - y * 0.96, t * 0.9, body - t * 0.9),
+                       0));
+  }
+  p.add(metal, taper({0, 0, body - 0.001}, {x * 0.92, y * 0.92}, {0, 0, high - ring}, {x * 0.25, y * 0.25}));
+  p.add(metal, torus({0, 0, 0}, ring * 0.42, ring * 0.1, 18, 6), aimed({0, 0, high - ring * 0.52}, {0, 1, 0}));
+  const double wax = body * 0.42, r = std::min(x, y) * 0.42;
+  p.add(p.named("wax"), cylinder({0, 0, t}, r, wax, 20));
+  p.add(p.named("ember"), lathe({{0, 0}, {r * 0.2, wax * 0.12}, {r * 0.14, wax * 0.26}, {0, wax * 0.45}}, 10), moved(0, 0, t + wax));
+  p.light({0, 0, t + wax * 1.5}, 3, 0.03);
+}
+
 void add_household(Families& to) {
   to["airer"] = airer;
   to["dish_rack"] = dish_rack;
   to["cage"] = cage;
   to["tea_set"] = tea_set;
-  to["lantern"] = lantern;
+  to["lantern"] = lantern_on_foot;
   to["toilet_brush"] = toilet_brush;
   to["pen_holder"] = pen_holder;
 }

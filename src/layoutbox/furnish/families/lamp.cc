@@ -174,6 +174,14 @@ void pendant(Piece& p) {
   const double r = p.w / 2, tall = std::min({0.3, p.h * 0.6, r * 1.3}), k = p.d / p.w;
   const std::string_view shade = pendant_surface(p);  // of no accent: one loud ball spoils a room
   const int metal = p.named("black_metal"), outside = p.color_asked() || shade != "lampshade" ? p.main(shade) : p.named(shade);
+  if (p.word("kind", "") == "lantern") {
+    const double high = std::min(p.h * 0.8, r * 3.2);
+    lantern(p, high);
+    p.add(metal, cylinder({0, 0, high - 0.01}, 0.005, p.h - high + 0.01, 8));
+    p.light({0, 0, high * 0.35}, 15, 0.05);
+    p.fit();
+    return;
+  }
   if (p.word("kind", "") == "globe" || p.says("globe")) {
     const double ball = std::min(r, p.h * 0.46);
     const bool paper = p.category() == "paper_lantern";

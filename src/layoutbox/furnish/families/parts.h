@@ -74,6 +74,9 @@ void swung_door(Piece& p, int surface, double z0, double z1, double face, double
 bool is_wicker(const Piece& p);
 void wicker_chair(Piece& p);
 
+// A candle behind panes in a frame with a ring, so high, standing at z = 0.
+void lantern(Piece& p, double high);
+
 // A rug, as it is said or as its room's style has them.
 void rug(Piece& p);
 

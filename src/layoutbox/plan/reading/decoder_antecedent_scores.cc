@@ -16,6 +16,11 @@ bool stands(const NounPhrase& noun) {
 }
 
 bool is_it(const NounPhrase* noun) { return noun != nullptr && noun->head == "it"; }
+// "a bed with two nightstands, a lamp on each": of several.
+double each_score(const NounPhrase* noun, bool several) {
+  const bool each = noun != nullptr && noun->determiner == Determiner::kEach && noun->kind != NounKind::kObject;
+  return each && !several ? weight::kUnlikely : 0;
+}
 bool is_unsaid(const NounPhrase* noun) { return noun != nullptr && noun->head.empty(); }
 
 }  // namespace
@@ -39,13 +44,10 @@ double Decoder::antecedent_place_score(const State& state, Referent referent, Re
                                        const NounPhrase* noun) const {
   const NounPhrase &target = noun_of(state, subject), &meant = noun_of(state, referent);
   const bool small = mount_of(target) == Mount::kSurface;
-  double score = sense_.of_place(senses, target, meant);
+  double score = sense_.of_place(senses, target, meant) + each_score(noun, several(state, referent));
   const bool side = says(senses, RelationType::kLeftOf) || says(senses, RelationType::kRightOf);
   const bool lies = says(senses, &RelationTraits::rests);
   const Referent owner = subject >= 0 ? host_of(state, subject) : kNobody;
-  // "a bed with two nightstands, a lamp on each": of several
-  const bool each = noun != nullptr && noun->determiner == Determiner::kEach && noun->kind != NounKind::kObject;
-  if (each && !several(state, referent)) score += weight::kUnlikely;
   if (subject >= 0 && referent == owner && side) score += weight::kOwnHost;
   // "holds a laptop, with a mug to its left": of what stands on the same thing.
   const bool fellow = subject >= 0 && referent >= 0 && owner != kNobody && referent != owner && host_of(state, referent) == owner &&

@@ -61,6 +61,7 @@ class Scribe {
   int combined(const std::vector<int>& mentions);
   int pair_just_related();
   int pair_of_a_name();
+  bool says_free(const NounPhrase& noun) const;
   int thing_of_zone(int u, const NounPhrase& noun) const;
   void add_have(int content, std::vector<int> hosts, std::size_t first, std::size_t last);
   bool trails_each(int u);
@@ -80,6 +81,8 @@ class Scribe {
   void grow_at_two_walls(const Link& link);
   void grow_along_walls(const Link& link, int target, const NounPhrase& wall);
   bool is_one_of_each(int mention) const;
+  void grow_on_all(const Link& link, int mention, bool both);
+  void grow_for_every(int index, int mention);
   void grow_for_reference(int index, int mention, bool both);
   void fill_reference(int u, int mention);
   void fill_content(int u, int mention);

@@ -150,13 +150,17 @@ int Scribe::each_of_openings(int u, const NounPhrase& noun) {
   return static_cast<int>(document_.mentions.size()) - 1;
 }
 
+// "in the free area": wherever that is.
+bool Scribe::says_free(const NounPhrase& noun) const {
+  const auto first = document_.tokens.begin();
+  return std::any_of(first + static_cast<std::ptrdiff_t>(noun.first), first + static_cast<std::ptrdiff_t>(noun.last),
+                     [](const Token& token) { return one_of(token.text, WordSet::kFree); });
+}
+
 // What stands for an area of the room: "the dining area" is where the dining table is, "the seating area" where one sits.
 // A rug under a seating area lies under the low table in its middle.
 int Scribe::thing_of_zone(int u, const NounPhrase& noun) const {
-  if (!is_zone(noun.head) || noun.determiner != Determiner::kDefinite) return -1;
-  for (std::size_t i = noun.first; i < noun.last; ++i) {
-    if (one_of(document_.tokens[i].text, WordSet::kFree)) return -1;  // "in the free area": wherever that is
-  }
+  if (!is_zone(noun.head) || noun.determiner != Determiner::kDefinite || says_free(noun)) return -1;
   const std::string words = words_between(document_, noun.first, noun.last);
   int seat = -1, sofa = -1, named = -1, low_table = -1;
   for (std::size_t m = document_.mentions.size(); m-- > 0;) {

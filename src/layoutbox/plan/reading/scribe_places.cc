@@ -65,31 +65,40 @@ void Scribe::grow_for_reference(int index, int mention, bool both) {
   if (!mention_at(mention).introduces && noun.determiner == Determiner::kIndefinite && targets.size() == 1 &&
       mention_at(targets.front()).distributes)
     references_.mean_one_for_each(mention, mention_at(targets.front()).items.size());
-  if (mention_at(mention).distributes && mention_at(mention).items.size() > 1) {
-    for (const int target : targets) {
-      // "five placemats lie around the bowl, one … each chair": as many as there are.
-      // "Two lamps, one on each": those two
-      const bool agree = mention_at(target).items.size() == mention_at(mention).items.size() &&
-                         (is_placed_before(target, index) || !mention_at(target).introduces);
-      if (comes_singly(noun_of(target), link.senses) && mention_at(target).items.size() <= 2)
-        references_.grow(target, mention_at(mention).items.size());
-      else if (!agree)
-        grow_for_each(target, mention);
-    }
+  grow_for_every(index, mention);
+  grow_on_all(link_at(index), mention, both);
+}
+
+// One at each of several.
+void Scribe::grow_for_every(int index, int mention) {
+  if (!mention_at(mention).distributes || mention_at(mention).items.size() < 2) return;
+  const std::vector<int> targets = link_at(index).targets;
+  for (const int target : targets) {
+    // "five placemats lie around the bowl, one … each chair": as many as there are.
+    // "Two lamps, one on each": those two
+    const bool agree = mention_at(target).items.size() == mention_at(mention).items.size() &&
+                       (is_placed_before(target, index) || !mention_at(target).introduces);
+    if (comes_singly(noun_of(target), link_at(index).senses) && mention_at(target).items.size() <= 2)
+      references_.grow(target, mention_at(mention).items.size());
+    else if (!agree)
+      grow_for_each(target, mention);
   }
-  // "candles and mugs on all the tables": on each of them.
-  const std::size_t last_word = noun.first > 0 && document_.tokens[noun.first].text != "all" ? noun.first - 1 : noun.first;
-  if (noun.is_plural() && document_.tokens[last_word].text == "all" && says(link.senses, RelationType::kOn)) {
-    for (const int target : targets) {
-      const NounPhrase& thing = noun_of(target);
-      if (mention_at(target).introduces && thing.plural && thing.count == 0)
-        references_.grow(target, std::max(mention_at(target).items.size(), mention_at(mention).items.size()));
-    }
-  }
-  // "a lamp on both nightstands", "on either one": one on each.
-  if (both && says(link.senses, RelationType::kOn) && mention_at(mention).items.size() > 1) {
-    for (const int target : targets) {
-      if (mention_at(target).introduces && noun_of(target).determiner == Determiner::kIndefinite) grow_for_each(target, mention);
+}
+
+// "candles and mugs on all the tables", "a lamp on both nightstands", "on either one": on each of them.
+void Scribe::grow_on_all(const Link& link, int mention, bool both) {
+  if (!says(link.senses, RelationType::kOn) || mention_at(mention).items.size() < 2) return;
+  const NounPhrase noun = noun_of(mention);
+  const std::size_t word = noun.first > 0 && document_.tokens[noun.first].text != "all" ? noun.first - 1 : noun.first;
+  const bool all = noun.is_plural() && document_.tokens[word].text == "all";
+  const std::vector<int> targets = link.targets;
+  for (const int target : targets) {
+    const NounPhrase& thing = noun_of(target);
+    if (!mention_at(target).introduces) continue;
+    if (both && thing.determiner == Determiner::kIndefinite) {
+      grow_for_each(target, mention);
+    } else if (all && thing.plural && thing.count == 0) {
+      references_.grow(target, std::max(mention_at(target).items.size(), mention_at(mention).items.size()));
     }
   }
 }

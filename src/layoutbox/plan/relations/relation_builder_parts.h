@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -31,6 +32,14 @@ class RelationBuilder : private RelationWriter {
   // As many of them as the words say: "between two windows".
   std::vector<std::string> opening_ids(const NounPhrase& noun) const;
   void complete_contents();
+  // A thing and what it has: which of them a place behind the list is said of.
+  struct HostBond {
+    bool seats = false, ends_in_seat = false, list = false, carried = false, own = false;
+    bool under_window = false;  // of that place only
+    int last = -1;              // the mention behind which the place stands
+  };
+  std::optional<HostBond> bond_of(const Link& have) const;
+  bool places_host(const Link& link, const Link& have, const HostBond& bond, int target) const;
   void place_host_of(const Link& have);
   int standing_before(int m) const;
   void place_between_hosts(const Link& have);

@@ -21,63 +21,76 @@ int RelationBuilder::standing_before(int m) const {
   return -1;
 }
 
-// "a table with four chairs in the middle": what is said there of the place of the chairs is said of the table that has them.
-void RelationBuilder::place_host_of(const Link& have) {
-  if (have.kind != Link::Kind::kHave || have.after_comma || have.references.size() != 1 || have.targets.empty()) return;
-  const Mention &host = mention(have.references.front()), &first = mention(have.targets.front());
-  if (host.items.size() != 1 || first.items.empty()) return;
+// How what a thing has belongs to it, so that places said behind it are the host's; nothing where they are not.
+std::optional<RelationBuilder::HostBond> RelationBuilder::bond_of(const Link& have) const {
+  if (have.kind != Link::Kind::kHave || have.after_comma || have.references.size() != 1 || have.targets.empty()) return std::nullopt;
+  const Mention &host = mention(have.references.front()), &first = mention(have.targets.front()), &end = mention(have.targets.back());
+  if (host.items.size() != 1 || first.items.empty()) return std::nullopt;
   const NounPhrase &noun = noun_of_item(host.items.front()), &other = noun_of_item(first.items.front());
-  // … "a desk with a computer and a chair near the door"
-  const Mention& end = mention(have.targets.back());
-  const bool ends_in_seat = !end.items.empty() && one_sits_at(catalog_, noun) && is_seat(catalog_, noun_of_item(end.items.front()));
-  const bool seats = ends_in_seat || (one_sits_at(catalog_, noun) && is_seat(catalog_, other));
+  HostBond bond;
+  // "a desk with a computer and a chair near the door"
+  bond.ends_in_seat = !end.items.empty() && one_sits_at(catalog_, noun) && is_seat(catalog_, noun_of_item(end.items.front()));
+  bond.seats = bond.ends_in_seat || (one_sits_at(catalog_, noun) && is_seat(catalog_, other));
   // "a table with four chairs in the middle, a mug and a bowl on it": the place follows the chairs.
-  const int last = seats && !ends_in_seat ? have.targets.front() : have.targets.back();
-  const bool list = !seats && have.targets.size() > 1;
-  const Mention& thing = mention(last);
-  if (thing.items.empty() || !thing.introduces) return;
-  // "a cabinet with a TV opposite the sofa": the cabinet, with the TV on it.
+  bond.last = bond.seats && !bond.ends_in_seat ? have.targets.front() : have.targets.back();
+  bond.list = !bond.seats && have.targets.size() > 1;
+  const Mention& thing = mention(bond.last);
+  if (thing.items.empty() || !thing.introduces) return std::nullopt;
+  const bool floor = mount_of(noun) == Mount::kFloor;
   // "an easel with a canvas near the window"
   const auto is_host = [&](const std::string& kind) { return noun.entry != nullptr && catalog_.is_a(noun.entry->id, kind); };
   const bool set_on = other.entry != nullptr && std::ranges::any_of(other.entry->stands_on, is_host);
-  const bool lies = mount_of(other) == Mount::kSurface && may_carry(catalog_, noun, other);
-  const bool carried = mount_of(noun) == Mount::kFloor && (lies || set_on);
-  // "a bench with baskets under the window": below it or on it
+  // "a cabinet with a TV opposite the sofa": the cabinet, with the TV on it.
+  bond.carried = floor && (set_on || (mount_of(other) == Mount::kSurface && may_carry(catalog_, noun, other)));
+  // "a piano with its stool by the window"
+  const bool own = !bond.list && thing.noun.determiner == Determiner::kPossessive && floor;
+  bond.own = own;
   const auto area = [](const NounPhrase& one) {
     return one.entry == nullptr ? 0 : std::int64_t{one.entry->size.usual.width} * one.entry->size.usual.depth;
   };
-  const bool kept =
-      !list && !seats && !carried && mount_of(noun) == Mount::kFloor && mount_of(other) == Mount::kFloor && 2 * area(other) < area(noun);
-  // "a dressing table with a mirror under the window"
-  const bool hung = !list && !carried && mount_of(other) == Mount::kWall && mount_of(noun) == Mount::kFloor;
-  // "a piano with its stool by the window"
-  const bool own = !list && thing.noun.determiner == Determiner::kPossessive && mount_of(noun) == Mount::kFloor;
-  if (list ? !carried : !seats && !flanks(other, noun) && !carried && !hung && !own && !kept) return;
-  const auto stands = [&](int r) {
+  const bool single = !bond.list && !bond.carried && floor;
+  // "a bench with baskets under the window", "a dressing table with a mirror under the window"
+  const bool kept = single && !bond.seats && mount_of(other) == Mount::kFloor && 2 * area(other) < area(noun);
+  const bool hung = single && mount_of(other) == Mount::kWall;
+  bond.under_window = hung || (kept && !own);
+  if (bond.list ? !bond.carried : !bond.seats && !flanks(other, noun) && !bond.carried && !hung && !own && !kept) return std::nullopt;
+  return bond;
+}
+
+// Does the link place that content, by what may place the host too?
+bool RelationBuilder::places_host(const Link& link, const Link& have, const HostBond& bond, int target) const {
+  const Mention& host = mention(have.references.front());
+  const bool rests = bond.carried && (says(link.senses, &RelationTraits::rests) || says(link.senses, R::kCenterOfRoom));
+  if (link.kind != Link::Kind::kRelation || rests || (bond.under_window && !says(link.senses, R::kUnderWindow))) return false;
+  // "with a lamp and a chair next to the window": of both, or of the last one
+  const bool of_list = bond.ends_in_seat && link.targets.size() > 1 && link.targets.back() == target &&
+                       std::ranges::all_of(link.targets, [&](int t) { return std::ranges::find(have.targets, t) != have.targets.end(); });
+  if (!of_list && link.targets != std::vector<int>{target}) return false;
+  return std::ranges::all_of(link.references, [&](int r) {
     const Mention& by = mention(r);
-    if (own && by.items != host.items) return true;
-    if ((hung || (kept && !own)) && by.noun.kind != NounKind::kWindow) return false;
-    return by.items.empty() || (carried && !list && by.items != host.items && mount_of(noun_of_item(by.items.front())) == Mount::kFloor);
-  };
-  const auto is_place = [&](const Link& link, int target) {
-    const bool rests = carried && (says(link.senses, &RelationTraits::rests) || says(link.senses, R::kCenterOfRoom));
-    if ((hung || (kept && !own)) && !says(link.senses, R::kUnderWindow)) return false;
-    // "with a lamp and a chair next to the window": of both, or of the last one
-    const bool of_list = ends_in_seat && link.targets.size() > 1 && link.targets.back() == target &&
-                         std::ranges::all_of(link.targets, [&](int t) { return std::ranges::find(have.targets, t) != have.targets.end(); });
-    return link.kind == Link::Kind::kRelation && (of_list || link.targets == std::vector<int>{target}) && !rests &&
-           std::all_of(link.references.begin(), link.references.end(), stands);
-  };
-  const bool placed = std::any_of(document_.links.begin(), document_.links.end(),
-                                  [&](const Link& link) { return is_place(link, have.references.front()); });
+    if (bond.own && by.items != host.items) return true;
+    if (bond.under_window && by.noun.kind != NounKind::kWindow) return false;
+    return by.items.empty() ||
+           (bond.carried && !bond.list && by.items != host.items && mount_of(noun_of_item(by.items.front())) == Mount::kFloor);
+  });
+}
+
+// "a table with four chairs in the middle": what is said there of the place of the chairs is said of the table that has them.
+void RelationBuilder::place_host_of(const Link& have) {
+  const std::optional<HostBond> bond = bond_of(have);
+  if (!bond) return;
+  const Mention &host = mention(have.references.front()), &thing = mention(bond->last);
+  const bool placed =
+      std::ranges::any_of(document_.links, [&](const Link& link) { return places_host(link, have, *bond, have.references.front()); });
+  if (placed) return;
   for (Link& link : document_.links) {
-    const bool follows = link.first >= thing.noun.last && link.first <= thing.noun.last + 1;
+    if (link.first < thing.noun.last || link.first > thing.noun.last + 1) continue;
     // "a sofa bed, a desk with a chair across from it": the desk, across from what was named before
-    const bool from_it = seats && !placed && follows && link.targets == std::vector<int>{last} && says(link.senses, R::kOpposite) &&
+    const bool from_it = bond->seats && link.targets == std::vector<int>{bond->last} && says(link.senses, R::kOpposite) &&
                          link.references.size() == 1 && mention(link.references[0]).items == host.items;
     const int before = from_it ? standing_before(have.references.front()) : -1;
     if (before >= 0) link.targets = have.references, link.references = {before};
-    if (!placed && follows && is_place(link, last)) link.targets = have.references;
+    if (places_host(link, have, *bond, bond->last)) link.targets = have.references;
   }
 }
 
