@@ -144,7 +144,7 @@ bool NounPhraseReader::settle_filler(std::size_t head) {
                      (named && (is_thing_where_named(part) || is_rare_thing(part, head) || (is_modeled(head) && is_compound(head)))) ||
                      listed || shaped_ || has_telling_head(part, head);
   const bool made = form != WordForm::kAdverb && form != WordForm::kAdjective && named && has_attribute(WordClass::kMaterial);
-  // "Pick-and-place rig. A steel table …": a title
+  // "Calibration rig. A steel table …": a title
   const bool opens = !named && !part.plural && is_topic() && more() && (token().text == "." || token().text == ":");
   const bool place = !named && (is_place_name(part) || (opens && i_ + 1 < tokens_.size()));
   if (!thing && !named && !is_noun(form)) return false;

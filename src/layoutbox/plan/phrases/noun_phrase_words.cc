@@ -194,9 +194,6 @@ bool NounPhraseReader::ends_before(const Match& match) const {
   }
   const PhrasePart& last = parts_.back();
   if (verb && last.last == i_ && plural_at(i_ - 1) && !is_attribute_class(last.word_class)) return true;
-  // "on the left from easel small table": who writes no articles names the next thing by its size.
-  const bool sizes_next = last.word_class == WordClass::kObject && last.last == i_ && has(match, WordClass::kSizeWord);
-  if (sizes_next && lexicon_.find(tokens_, i_ + match.length, WordClass::kObject).length > 0) return true;
   // "in the case rest three coins": of one thing a verb would have its -s, so that what follows is its subject
   const bool inverts = verb && last.last == i_ && has(match, WordClass::kAbstract) && opens_at(i_ + 1);
   if (inverts && (tokens_[i_ + 1].kind == Token::Kind::kNumber || lexicon_.is(tokens_[i_ + 1], WordClass::kNumber))) return true;

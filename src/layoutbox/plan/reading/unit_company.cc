@@ -62,7 +62,7 @@ bool UnitReader::is_where_somebody_is(const NounPhrase& noun) const {
 }
 
 // "my room in the shared flat", "the kitchen of our house": says where the room is that was spoken of before it.
-bool UnitReader::is_home_of_room(const NounPhrase& noun) const {
+bool UnitReader::tells_where_room_is(const NounPhrase& noun) const {
   if (noun.first == 0) return false;
   const std::string& before = document_.tokens[noun.first - 1].text;
   if (before == "off" && noun.determiner == Determiner::kDefinite) return true;  // "off the main hall, the pantry …"
@@ -71,7 +71,7 @@ bool UnitReader::is_home_of_room(const NounPhrase& noun) const {
 
 // A room that the text names: the one that is wished for, or, where no other is named, the one where somebody works.
 void UnitReader::name_room(const NounPhrase& noun) {
-  if (is_past(noun) || is_home_of_room(noun)) return;
+  if (is_past(noun) || tells_where_room_is(noun)) return;
   (is_where_somebody_is(noun) ? document_.rooms_elsewhere : document_.rooms).push_back(noun);
 }
 

@@ -137,7 +137,7 @@ class UnitReader {
   bool passes_company(std::size_t k);
   void name_room(const NounPhrase& noun);
   bool is_where_somebody_is(const NounPhrase& noun) const;
-  bool is_home_of_room(const NounPhrase& noun) const;
+  bool tells_where_room_is(const NounPhrase& noun) const;
   void settle_noun(std::size_t k);
   void settle_place_words(std::size_t k);
   bool repeats_place(std::size_t k);

@@ -133,9 +133,7 @@ void RelationBuilder::divide(std::size_t word) {
     return said_otherwise || ((by_it || it_by) && r.type != R::kDistance);
   });
   widen(divider, sides);
-  add_habit(R::kBetween, {own}, parted, kTogether, "what parts two groups stands between them");
-  scene_.relations.back().hard = true;
-  scene_.relations.back().origin = Origin::kConcluded;
+  conclude(R::kBetween, {own}, parted, "what parts two groups stands between them");
 }
 
 // "TV with a sofa and two armchairs on the left, dining table on the right, a low bookcase between both": no shelf is between two chairs of

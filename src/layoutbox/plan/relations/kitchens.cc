@@ -230,8 +230,7 @@ std::string RelationBuilder::told_wall_of(const std::string& unit) const {
 // "A sink facing the range": at the wall across from it. And what is worked at is in the run that the text has a counter for.
 void RelationBuilder::stand_at_walls_of_run(const std::vector<std::string>& units) {
   const auto conclude = [&](const std::string& unit, const std::string& wall, const char* why) {
-    add_habit(R::kAgainstWall, {unit}, {wall}, kTogether, why);
-    scene_.relations.back().origin = Origin::kConcluded;
+    add_habit(R::kAgainstWall, {unit}, {wall}, kTogether, why).origin = Origin::kConcluded;
   };
   std::string of_counter;
   for (const std::string& unit : units) {

@@ -94,9 +94,7 @@ void RelationBuilder::sit_across_table() {
   }
   if (others.empty() || !is_seat(catalog_, noun_of_object(*object_of(seat)))) return;
   const auto conclude = [&](R type, std::vector<std::string> references) {
-    add_habit(type, others, std::move(references), kTogether, "they sit at both sides of the table");
-    scene_.relations.back().origin = Origin::kConcluded;
-    scene_.relations.back().hard = true;
+    RelationBuilder::conclude(type, others, std::move(references), "they sit at both sides of the table");
   };
   if (others.size() > 1) conclude(R::kRow, {});
   conclude(R::kOpposite, {seat});

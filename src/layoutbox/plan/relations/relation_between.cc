@@ -156,9 +156,7 @@ void RelationBuilder::make_room_between() {
   }
   seat_in_reach(in_reach);
   for (const auto& [sofa, table] : at_sofas) {
-    add_habit(R::kNextTo, {sofa}, {table}, kTogether, "a table between two sofas is in reach of both");
-    scene_.relations.back().hard = true;
-    scene_.relations.back().origin = Origin::kConcluded;
+    conclude(R::kNextTo, {sofa}, {table}, "a table between two sofas is in reach of both");
   }
 }
 

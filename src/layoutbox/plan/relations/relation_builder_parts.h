@@ -217,7 +217,11 @@ class RelationBuilder : private RelationWriter {
   void serve_towards_room(const SceneObject& counter, const std::string& end);
   void hang_hoods();
   void screen_from_door();
-  void add_habit(RelationType type, std::vector<std::string> targets, std::vector<std::string> references, int weight, std::string why);
+  // The new relation, which no text says but use does; it may be given up.
+  Relation& add_habit(RelationType type, std::vector<std::string> targets, std::vector<std::string> references, int weight,
+                      std::string why);
+  // … what follows from what the text says, and holds as that does.
+  Relation& conclude(RelationType type, std::vector<std::string> targets, std::vector<std::string> references, std::string why);
   void lay_beds_along();
   void share_nightstand();
   void head_row_of_beds();
@@ -250,6 +254,9 @@ class RelationBuilder : private RelationWriter {
   bool sits_at(const std::string& seat) const;
   // What a reader takes for granted; soft, and marked as ours.
   void add_habits();
+  void stand_before_middles();
+  void keep_sides_near();
+  void dine_at_plain_tables();
   void seat_in_windows();
   void sit_in_u();
   void sit_across_table();

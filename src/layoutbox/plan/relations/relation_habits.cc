@@ -91,8 +91,8 @@ void RelationBuilder::face_as_crowd() {
   }
 }
 
-void RelationBuilder::add_habit(R type, std::vector<std::string> targets, std::vector<std::string> references, int weight,
-                                std::string why) {
+Relation& RelationBuilder::add_habit(R type, std::vector<std::string> targets, std::vector<std::string> references, int weight,
+                                     std::string why) {
   Relation habit;
   habit.id = "c" + std::to_string(scene_.relations.size() + 1);
   habit.type = type;
@@ -103,6 +103,14 @@ void RelationBuilder::add_habit(R type, std::vector<std::string> targets, std::v
   habit.weight = weight;
   habit.why = std::move(why);
   scene_.relations.push_back(std::move(habit));
+  return scene_.relations.back();
+}
+
+Relation& RelationBuilder::conclude(R type, std::vector<std::string> targets, std::vector<std::string> references, std::string why) {
+  Relation& relation = add_habit(type, std::move(targets), std::move(references), kTogether, std::move(why));
+  relation.hard = true;
+  relation.origin = Origin::kConcluded;
+  return relation;
 }
 
 // "the desks face the whiteboard, a bookshelf stands at the back": the front is where the board is, if the words leave that open.
@@ -209,7 +217,10 @@ void RelationBuilder::share_nightstand() {
            std::ranges::find(beds, relation.references.front()) != beds.end();
   };
   if (!std::ranges::all_of(own, by_bed)) return;
-  if (own.empty()) return add_habit(R::kBetween, stands, beds, kTogether, "two beds share their nightstand");
+  if (own.empty()) {
+    add_habit(R::kBetween, stands, beds, kTogether, "two beds share their nightstand");
+    return;
+  }
   scene_.relations[own.front()].type = R::kBetween;
   scene_.relations[own.front()].references = beds;
 }
@@ -300,67 +311,9 @@ void RelationBuilder::add_habits() {
   seat_viewers();
   screen_from_door();
   hang_mirrors_over_counters();
-  const std::size_t said = scene_.relations.size();
-  for (std::size_t r = 0; r < said; ++r) {
-    const Relation relation = scene_.relations[r];
-    if (relation.targets.size() != 1 || relation.references.size() != 1) continue;
-    const SceneObject *target = object_of(relation.targets.front()), *reference = object_of(relation.references.front());
-    if (target == nullptr || reference == nullptr) continue;
-    const NounPhrase &thing = noun_of_object(*target), &other = noun_of_object(*reference);
-    const bool at_back = relation.type == R::kBehind && other.entry != nullptr && other.entry->used_sides == std::vector{Side::kBack};
-    if ((relation.type == R::kInFrontOf || at_back) && is_seat(catalog_, thing) && is_table(catalog_, other) &&
-        !one_of(thing.head, {"sofa", "couch", "loveseat"}) && !scene_.relations[r].parameters.max)
-      scene_.relations[r].parameters.max = measures().seat_at_hand;
-    // Both at walls: across the room from each other, as far as that is in most rooms.
-    constexpr Mm kAcrossTheRoom = 3500;
-    const auto stands_at_wall = [&](const SceneObject& object) {
-      const CatalogEntry& entry = catalog_.entry_or_nearest(object.category);
-      return entry.mount == Mount::kFloor && entry.back_to_wall;
-    };
-    if (relation.type == R::kInFrontOf && stands_at_wall(*target) && stands_at_wall(*reference) && !scene_.relations[r].parameters.max &&
-        !is_seat(catalog_, thing))
-      scene_.relations[r].parameters.max = kAcrossTheRoom;
-    // "A desk facing a chair": whoever sits there looks at the desk.
-    // … at a sofa or an armchair the desk itself looks.
-    if (relation.type == R::kFacing && target->category != reference->category && is_drawn_up(catalog_, other) &&
-        catalog_.entry_or_nearest(target->category).is(Trait::kDeskLike))
-      std::swap(scene_.relations[r].targets, scene_.relations[r].references);
-    // One thing in front of another stands in the middle of it.
-    const auto alone = std::count_if(scene_.relations.begin(), scene_.relations.end(),
-                                     [&](const Relation& o) { return o.type == R::kInFrontOf && o.references == relation.references; });
-    const bool at_end = std::ranges::any_of(scene_.relations, [&](const Relation& o) {
-      return o.type == R::kEdgeAlign && o.targets == relation.targets && o.references == relation.references;
-    });
-    if (relation.type == R::kInFrontOf && alone == 1 && !at_end) {
-      add_habit(R::kCenteredOn, relation.targets, relation.references, 80, "what is in front of something is in front of its middle");
-    }
-  }
-  // "on either side of the sofa, near it": as far as near things are.
-  for (Relation& sides : scene_.relations) {
-    if (sides.type != R::kEachSideOf || sides.parameters.max) continue;
-    const bool near = std::any_of(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& r) {
-      return r.type == R::kNear && r.references == sides.references &&
-             std::find(sides.targets.begin(), sides.targets.end(), r.targets.front()) != sides.targets.end();
-    });
-    if (near) sides.parameters.max = 1500;
-  }
-  // A plain table that one dines at.
-  for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
-    SceneObject& object = scene_.objects[i];
-    if (object.category != "table" || catalog_.find("dining_table") == nullptr) continue;
-    const bool chairs = std::any_of(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& r) {
-      return traits_of(r.type).around && !r.references.empty() && r.references.front() == object.id &&
-             r.targets.front().starts_with("dining_chair");
-    });
-    if (chairs || (scene_.room.type == "dining_room" && document_.items[i].noun.attributes.empty() && is_only_table(i)))
-      object.category = "dining_table";
-  }
-}
-
-bool RelationBuilder::is_only_table(std::size_t index) const {
-  return std::count_if(document_.items.begin(), document_.items.end(),
-                       [&](const TextItem& item) { return is_table(catalog_, item.noun); }) == 1 &&
-         index < document_.items.size();
+  stand_before_middles();
+  keep_sides_near();
+  dine_at_plain_tables();
 }
 
 }  // namespace layoutbox::offline

@@ -99,10 +99,10 @@ void RelationBuilder::place_between_hosts(const Link& have) {
   if (have.kind != Link::Kind::kHave || have.references.size() != 1 || have.targets.empty()) return;
   const Mention &hosts = mention(have.references.front()), &thing = mention(have.targets.back());
   if (hosts.items.size() != 2 || thing.items.size() != 1 || !thing.introduces) return;
-  const bool stand = mount_of(noun_of_item(hosts.items.front())) == Mount::kFloor && mount_of(thing.noun) == Mount::kFloor;
+  if (mount_of(noun_of_item(hosts.items.front())) != Mount::kFloor || mount_of(thing.noun) != Mount::kFloor) return;
   for (Link& link : document_.links) {
     const bool of_either = link.targets == have.references || link.targets == std::vector<int>{have.targets.back()};
-    if (!stand || !of_either || link.kind != Link::Kind::kRelation || link.first != thing.noun.last || !link.references.empty()) continue;
+    if (!of_either || link.kind != Link::Kind::kRelation || link.first != thing.noun.last || !link.references.empty()) continue;
     if (!says(link.senses, R::kCenterOfRoom)) continue;
     link.targets = {have.targets.back()};
     link.references = have.references;

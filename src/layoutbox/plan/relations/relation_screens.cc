@@ -52,9 +52,10 @@ void RelationBuilder::show_where_seated() {
     };
     const auto screen = std::ranges::find_if(scene_.objects, is_screen);
     if (std::ranges::count_if(scene_.objects, is_screen) != 1 || !relations_of(screen->id).empty()) return;
-    add_habit(R::kInRegion, {screen->id}, {}, kTogether, "a screen is where it is watched");
-    scene_.relations.back().parameters.region = region.parameters.region;
-    scene_.relations.back().origin = Origin::kConcluded;
+    const auto shown = region.parameters.region;
+    Relation& where = add_habit(R::kInRegion, {screen->id}, {}, kTogether, "a screen is where it is watched");
+    where.parameters.region = shown;
+    where.origin = Origin::kConcluded;
     return;
   }
 }

@@ -145,9 +145,7 @@ void RelationBuilder::seat_in_reach(const std::vector<std::pair<std::string, std
     const std::string &one = in_reach[s].first, &other = in_reach[s + 1].first;
     if (const auto seen = look_of(one); seen.empty() || seen != look_of(other) || seen.front() == other) continue;
     const auto conclude = [&](R type, const std::string& thing, std::string_view why) {
-      add_habit(type, {thing}, {one}, kTogether, std::string(why));
-      scene_.relations.back().hard = true;
-      scene_.relations.back().origin = Origin::kConcluded;
+      RelationBuilder::conclude(type, {thing}, {one}, std::string(why));
     };
     for (const R type : {R::kSameOrientation, R::kEdgeAlign}) conclude(type, other, "who looks at one thing sits side by side");
     conclude(R::kSameOrientation, in_reach[s].second, "a table between two seats looks as they do");

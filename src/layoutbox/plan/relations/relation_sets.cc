@@ -53,8 +53,7 @@ void RelationBuilder::stand_within() {
     };
     if (host == nullptr || !std::ranges::all_of(own, only_with)) continue;
     if (own.empty()) {
-      add_habit(R::kIn, {thing.id}, {host->id}, kTogether, "such a thing is used within it");
-      scene_.relations.back().origin = Origin::kConcluded;
+      add_habit(R::kIn, {thing.id}, {host->id}, kTogether, "such a thing is used within it").origin = Origin::kConcluded;
     } else {
       scene_.relations[own.front()].type = R::kIn;
       scene_.relations[own.front()].parameters = {};
@@ -109,7 +108,10 @@ void RelationBuilder::touch_back_to_back() {
     const auto both_behind = [&](const Relation& other) {
       return other.type == R::kBehind && other.targets == beside.references && other.references == beside.targets;
     };
-    const auto parts = [&](const Relation& other) { return other.type == R::kBetween; };
+    const auto parts = [&](const Relation& other) {
+      const auto has = [&](const std::string& id) { return std::ranges::find(other.references, id) != other.references.end(); };
+      return other.type == R::kBetween && has(beside.targets[0]) && has(beside.references[0]);
+    };
     if (std::ranges::none_of(scene_.relations, both_behind) || std::ranges::any_of(scene_.relations, parts)) continue;
     beside.parameters.max = 0;
     const Relation touching = beside;

@@ -46,8 +46,8 @@ void RelationBuilder::screen_from_door() {
     if (behind.type != R::kBehind || behind.targets.size() != 1 || behind.references.size() != 1) continue;
     const SceneObject *thing = object_of(behind.targets[0]), *screen = object_of(behind.references[0]);
     if (thing == nullptr || screen == nullptr || !catalog_.is_a(screen->category, "screen_divider")) continue;
-    add_habit(R::kBetween, behind.references, {thing->id, "door"}, kTogether, "what is behind a screen is not seen from the door");
-    scene_.relations.back().origin = Origin::kConcluded;
+    add_habit(R::kBetween, behind.references, {thing->id, "door"}, kTogether, "what is behind a screen is not seen from the door").origin =
+        Origin::kConcluded;
   }
 }
 
@@ -145,9 +145,7 @@ void RelationBuilder::park_cars() {
   for (const SceneObject& object : scene_.objects) {
     if (!catalog_.entry_or_nearest(object.category).is(Trait::kParked)) continue;
     if (first.empty() && door != scene_.room.openings.end()) {
-      add_habit(R::kFacing, {object.id}, {door->id}, kTogether, "cars leave by the garage door");
-      scene_.relations.back().hard = true;
-      scene_.relations.back().origin = Origin::kConcluded;
+      conclude(R::kFacing, {object.id}, {door->id}, "cars leave by the garage door");
     }
     if (!first.empty()) add_habit(R::kSameOrientation, {object.id}, {first}, kTogether, "cars are parked side by side");
     if (first.empty()) first = object.id;
@@ -212,9 +210,7 @@ void RelationBuilder::sit_in_u() {
                                [&](const Relation& r) { return std::ranges::find(r.targets, sofas[0]) != r.targets.end() && holds(r); });
   };
   const auto conclude = [&](R type, std::vector<std::string> targets, std::vector<std::string> references, const char* why) {
-    add_habit(type, std::move(targets), std::move(references), kTogether, why);
-    scene_.relations.back().origin = Origin::kConcluded;
-    scene_.relations.back().hard = true;
+    RelationBuilder::conclude(type, std::move(targets), std::move(references), why);
   };
   const auto round_table = [&](const Relation& r) { return traits_of(r.type).around && r.targets.size() == sofas.size(); };
   if (!says_of(round_table)) {

@@ -77,9 +77,7 @@ void RelationBuilder::seat_in_zone(const Zone& zone) {
     const CatalogEntry* rug = under == nullptr ? nullptr : catalog_.find(under->category);
     if (rug != nullptr && rug->thin && std::ranges::find(seats, r.targets[0]) != seats.end()) r.targets = {id(*table)};
   }
-  add_habit(R::kAround, seats, {id(*table)}, kTogether, "those who sit in such a part of the room sit at its table");
-  scene_.relations.back().hard = true;
-  scene_.relations.back().origin = Origin::kConcluded;
+  conclude(R::kAround, seats, {id(*table)}, "those who sit in such a part of the room sit at its table");
 }
 
 // What looks at the heart of a group, is looked at from there, or lies under it stands as such things do.
