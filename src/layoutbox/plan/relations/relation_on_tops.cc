@@ -1,5 +1,7 @@
 // What a text puts on a top before it names the thing: where it then says to be, it is there.
+#include <algorithm>
 #include <array>
+#include <utility>
 
 #include "layoutbox/plan/relations/relation_builder_parts.h"
 
@@ -11,16 +13,16 @@ namespace {
 
 // "in the left half", "in the back left corner": which part of a top that is; empty where it is none.
 ThingPart part_of_top(const Relation& place) {
-  static constexpr std::array kWords = {PartWord::kBack, PartWord::kFront, PartWord::kLeft, PartWord::kRight};
+  static constexpr std::array kSides = {std::pair{Side::kBack, "back"}, std::pair{Side::kFront, "front"}, std::pair{Side::kLeft, "left"},
+                                        std::pair{Side::kRight, "right"}};
   const bool corner = place.type == R::kCorner && place.references.size() == 2;
   const bool region = place.type == R::kInRegion && place.references.empty() && place.parameters.region;
   if (!corner && !region) return {};
   std::string text;
-  for (const PartWord word : kWords) {
-    const std::string name(name_of(word));
-    const bool says = corner ? std::ranges::find(place.references, name) != place.references.end()
-                             : std::string(name_of(*place.parameters.region)).find(name) != std::string::npos;
-    if (says) text += (text.empty() ? "" : " ") + name;
+  for (const auto& [side, name] : kSides) {
+    const bool says =
+        corner ? std::ranges::find(place.references, name) != place.references.end() : lies_at(*place.parameters.region, side);
+    if (says) text += (text.empty() ? "" : " ") + std::string(name);
   }
   if (corner && !text.empty()) text += " corner";
   return ThingPart(text);
