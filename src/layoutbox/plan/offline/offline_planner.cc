@@ -17,6 +17,7 @@
 #include "layoutbox/plan/phrases/knowledge.h"
 #include "layoutbox/plan/phrases/object_size.h"
 #include "layoutbox/plan/planner.h"
+#include "layoutbox/plan/relations/amounts.h"
 #include "layoutbox/plan/relations/linings.h"
 #include "layoutbox/plan/relations/relation_builder.h"
 #include "layoutbox/plan/relations/zones.h"
@@ -80,6 +81,7 @@ class OfflinePlanner final : public Planner {
     find_zones(lexicon_, document);
     settle_built_ins(lexicon_, document);
     add_for_people(lexicon_, document);
+    settle_amounts(lexicon_, document);
 
     Plan plan;
     plan.close = std::move(document.close);

@@ -33,6 +33,12 @@ std::int64_t constraint_cost(const PlacementModel& model, const Constraint& cons
 // `soft`: what is wished apart from what the region's cases ask for.
 std::int64_t least_wish_cost(const Region& region, std::span<const SoftFormula> soft, std::int64_t enough);
 
+// What a case of something wished for costs at least and at most, wherever in the region.
+struct CostRange {
+  std::int64_t least = 0, most = 0;
+};
+CostRange cost_range(const Reduced& one, std::int64_t weight, const Region& region);
+
 // Cost of a size below the usual one.
 inline std::int64_t size_cost(const State& state) { return kPoint * kCostWeights.size_step * state.size_step; }
 

@@ -1,5 +1,7 @@
 #include "layoutbox/solve/search/candidate_grid.h"
 
+#include <algorithm>
+
 namespace layoutbox::placement {
 
 void CandidateGrid::start(std::size_t cases) {
@@ -76,30 +78,48 @@ std::int64_t CandidateGrid::part_by_x(const Formula& formula, const Cost* here) 
   return least;
 }
 
+// The cases that may be the cheapest of their formula somewhere in the region. Most have a wrong state and are not.
+void CandidateGrid::pick_cases(const Region& region, std::span<const SoftFormula> soft) {
+  formulas_.clear();
+  picked_.clear();
+  for (const SoftFormula& formula : soft) {
+    ranges_.clear();
+    std::int64_t enough = kNoCost;  // one of them costs that at most, wherever
+    for (const Reduced& one : formula.all()) {
+      ranges_.push_back(cost_range(one, formula.weight, region));
+      enough = std::min(enough, ranges_.back().most);
+    }
+    const std::size_t first = picked_.size();
+    for (std::size_t k = 0; k < formula.count; ++k) {
+      if (ranges_[k].least <= enough) picked_.push_back(&formula.cases[k]);
+    }
+    formulas_.push_back({Formula::Kind::kBoth, formula.weight, 0, kHard + 1 + first, kHard + 1 + picked_.size()});
+  }
+}
+
 void CandidateGrid::tabulate(const Region& region, std::span<const SoftFormula> soft) {
-  std::size_t cases = 1;
-  for (const SoftFormula& formula : soft) cases += formula.count;
-  start(cases);
+  pick_cases(region, soft);
+  start(kHard + 1 + picked_.size());
   whole_[kHard].wish = region.price;
   for (const Reduced* one : region.cases) {
     slanted_[kHard].checks.insert(slanted_[kHard].checks.end(), one->checks.begin(), one->checks.end());
     for (const Wish& wish : one->wishes) add_wish(kHard, wish);
   }
-  formulas_.clear();
-  both_.clear();
-  std::size_t number = kHard + 1;
-  for (const SoftFormula& formula : soft) {
-    const std::size_t first = number;
-    for (const Reduced& one : formula.all()) {
-      whole_[number] = {one.miss, one.price};
-      for (const Partial& form : one.checks) add_check(number, form);
-      for (const Wish& wish : one.wishes) add_wish(number, wish);
-      ++number;
-    }
-    const Formula::Kind kind = kind_of(first, number);
-    if (kind == Formula::Kind::kBoth) both_.push_back(formulas_.size());
-    formulas_.push_back({kind, formula.weight, 0, first, number});
+  for (std::size_t k = 0; k < picked_.size(); ++k) {
+    const std::size_t number = kHard + 1 + k;
+    whole_[number] = {picked_[k]->miss, picked_[k]->price};
+    for (const Partial& form : picked_[k]->checks) add_check(number, form);
+    for (const Wish& wish : picked_[k]->wishes) add_wish(number, wish);
   }
+  both_.clear();
+  for (std::size_t f = 0; f < formulas_.size(); ++f) {
+    formulas_[f].kind = kind_of(formulas_[f].first, formulas_[f].end);
+    if (formulas_[f].kind == Formula::Kind::kBoth) both_.push_back(f);
+  }
+  tabulate_columns();
+}
+
+void CandidateGrid::tabulate_columns() {
   column_bound_.clear();
   column_least_.clear();
   least_column_ = kNoCost;

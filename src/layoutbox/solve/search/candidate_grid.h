@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "layoutbox/solve/model/reduced.h"
+#include "layoutbox/solve/objective/cost.h"
 
 namespace layoutbox::placement {
 
@@ -58,10 +59,12 @@ class CandidateGrid {
     std::size_t first = 0, end = 0;  // of its cases
   };
 
+  void pick_cases(const Region& region, std::span<const SoftFormula> soft);
   void start(std::size_t cases);
   void add_wish(std::size_t number, const Wish& wish);
   void add_check(std::size_t number, const Partial& form);
   Formula::Kind kind_of(std::size_t first, std::size_t end) const;
+  void tabulate_columns();
   std::int64_t part_by_x(const Formula& formula, const Cost* here) const;
 
   std::size_t cases_ = 0;
@@ -70,6 +73,8 @@ class CandidateGrid {
   std::vector<Slanted> slanted_;            // of each case, and after them such as were used before
   std::vector<Along> along_;                // of each case
   std::vector<Formula> formulas_;
+  std::vector<const Reduced*> picked_;      // the cases, from the first after the region's own on
+  std::vector<CostRange> ranges_;           // of the cases of one formula
   std::vector<std::size_t> both_;           // numbers of those that depend on both
   std::vector<std::int64_t> column_bound_;  // by x: at least so much, whatever the row
   std::vector<std::int64_t> column_least_;  // the share of each of `both_` in that, by x

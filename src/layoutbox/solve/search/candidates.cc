@@ -95,13 +95,32 @@ bool CandidateFinder::legal(const Placements& placements, ItemId item, const Pla
   return collisions(placements, item, placement, kNoPrice, hit);
 }
 
+bool CandidateFinder::gives_way(const Obstacles::Forbidden& f, const CandidateOptions& options) {
+  return f.owner.exists() && options.eject_price != nullptr && !options.eject_price->empty() && (*options.eject_price)[f.owner] >= 0;
+}
+
 // What stands at that position of the region at hand; false: the room's edge, or what is not to be pushed.
-bool CandidateFinder::pushes(const Vec3& at, const ById<ItemId, std::int64_t>& price, std::vector<ItemId>& hit) {
+bool CandidateFinder::pushes(const Vec3& at, const CandidateOptions& options, std::vector<ItemId>& hit) {
   for (const Obstacles::Forbidden* const near : obstacles_.across(at)) {
     const Obstacles::Forbidden& f = *near;
     if (!obstacles_.holds(f, at)) continue;
-    if (!f.owner.exists() || price.empty() || price[f.owner] < 0) return false;
+    if (!gives_way(f, options)) return false;
     if (hit.empty() || hit.back() != f.owner) hit.push_back(f.owner);
+  }
+  return true;
+}
+
+// Which positions of the row of the grid are not taken by what is not to be pushed: most are, and need no cost. False: all are.
+// What stands slantwise is left to `pushes`.
+bool CandidateFinder::open_row(const CandidateGrid& grid, std::size_t y, std::size_t z, const CandidateOptions& options) {
+  const std::vector<Mm>& xs = grid.values[0];
+  open_.assign(xs.size(), true);
+  std::size_t open = xs.size();
+  for (const Obstacles::Forbidden* const f : obstacles_.across({xs.front(), grid.values[1][y], grid.values[2][z]})) {
+    if (f->stripes > 0 || gives_way(*f, options)) continue;
+    const auto from = static_cast<std::size_t>(std::ranges::upper_bound(xs, f->lo[0]) - xs.begin());
+    for (std::size_t x = from; x < xs.size() && xs[x] < f->hi[0]; ++x) open -= open_[x], open_[x] = false;
+    if (open == 0) return false;
   }
   return true;
 }
@@ -114,10 +133,9 @@ std::int64_t CandidateFinder::swing_cost(const Placements& placements, ItemId op
 
 // Keeps it where it is legal; true: that was enough.
 bool CandidateFinder::consider(Hunt& hunt, int state, const Vec3& at, std::int64_t cost) {
-  static const ById<ItemId, std::int64_t> kNoPrice;
   const CandidateOptions& options = hunt.options;
   Candidate candidate{{state, at}, cost, {}};
-  if (!pushes(at, options.eject_price ? *options.eject_price : kNoPrice, candidate.hit)) return false;
+  if (!pushes(at, options, candidate.hit)) return false;
   if (options.first_legal) {
     hunt.best = {std::move(candidate)};
     return true;
@@ -139,9 +157,11 @@ bool CandidateFinder::try_grid(Hunt& hunt, int state, std::int64_t base, Candida
     for (std::size_t iy = 0; iy < grid.values[1].size(); ++iy) {
       hunt.budget.count(static_cast<std::int64_t>(grid.values[0].size()));
       if (hunt.budget.stopped) return true;
+      if (!open_row(grid, iy, iz, hunt.options)) continue;
       grid.start_row(iy, iz, base);
       if (grid.row_bound() >= hunt.worst()) continue;
       for (std::size_t ix = 0; ix < grid.values[0].size(); ++ix) {
+        if (!open_[ix]) continue;
         const std::int64_t cost = grid.cost_in_row(ix, hunt.worst());
         if (cost == kNoCost) continue;
         if (consider(hunt, state, {grid.values[0][ix], grid.values[1][iy], grid.values[2][iz]}, cost)) return true;

@@ -67,7 +67,10 @@ class CandidateFinder {
   std::vector<Point> crossings(const Placements& placements, ItemId item, int state, const Region& region,
                                const std::array<std::vector<Mm>, 3>& grid, Budget& budget) const;
   std::int64_t cost_at(const Region& region, const Vec3& at) const;
-  bool pushes(const Vec3& at, const ById<ItemId, std::int64_t>& price, std::vector<ItemId>& hit);
+  // May it be pushed aside?
+  static bool gives_way(const Obstacles::Forbidden& f, const CandidateOptions& options);
+  bool pushes(const Vec3& at, const CandidateOptions& options, std::vector<ItemId>& hit);
+  bool open_row(const CandidateGrid& grid, std::size_t y, std::size_t z, const CandidateOptions& options);
   std::int64_t swing_cost(const Placements& placements, ItemId opening, const Placement& placement);
 
   const PlacementModel& model_;
@@ -78,6 +81,7 @@ class CandidateFinder {
   std::vector<SoftFormula> soft_pool_;
   std::span<const SoftFormula> soft_;  // those of the item at hand
   CandidateGrid grid_;                 // kept for its room
+  std::vector<std::uint8_t> open_;     // by x: of the row at hand
   bool skips_dear_ = false;
 };
 
