@@ -110,21 +110,6 @@ bool CandidateFinder::pushes(const Vec3& at, const CandidateOptions& options, st
   return true;
 }
 
-// Which positions of the row of the grid are not taken by what is not to be pushed: most are, and need no cost. False: all are.
-// What stands slantwise is left to `pushes`.
-bool CandidateFinder::open_row(const CandidateGrid& grid, std::size_t y, std::size_t z, const CandidateOptions& options) {
-  const std::vector<Mm>& xs = grid.values[0];
-  open_.assign(xs.size(), true);
-  std::size_t open = xs.size();
-  for (const Obstacles::Forbidden* const f : obstacles_.across({xs.front(), grid.values[1][y], grid.values[2][z]})) {
-    if (f->stripes > 0 || gives_way(*f, options)) continue;
-    const auto from = static_cast<std::size_t>(std::ranges::upper_bound(xs, f->lo[0]) - xs.begin());
-    for (std::size_t x = from; x < xs.size() && xs[x] < f->hi[0]; ++x) open -= open_[x], open_[x] = false;
-    if (open == 0) return false;
-  }
-  return true;
-}
-
 std::int64_t CandidateFinder::swing_cost(const Placements& placements, ItemId opening, const Placement& placement) {
   probe_ = placements;
   probe_[opening] = placement;
@@ -154,14 +139,19 @@ bool CandidateFinder::consider(Hunt& hunt, int state, const Vec3& at, std::int64
 // All of the grid; true: that was enough.
 bool CandidateFinder::try_grid(Hunt& hunt, int state, std::int64_t base, CandidateGrid& grid) {
   for (std::size_t iz = 0; iz < grid.values[2].size(); ++iz) {
+    taken_.start(grid.values[0], grid.values[1]);
+    for (const Obstacles::Forbidden& f : obstacles_.all()) {  // what stands slantwise is left to `pushes`
+      const bool here = f.lo[2] < grid.values[2][iz] && grid.values[2][iz] < f.hi[2];
+      if (here && f.stripes == 0 && !gives_way(f, hunt.options)) taken_.add(f.lo, f.hi);
+    }
     for (std::size_t iy = 0; iy < grid.values[1].size(); ++iy) {
       hunt.budget.count(static_cast<std::int64_t>(grid.values[0].size()));
       if (hunt.budget.stopped) return true;
-      if (!open_row(grid, iy, iz, hunt.options)) continue;
+      std::size_t ix = taken_.next_free(iy, 0);
+      if (ix == grid.values[0].size()) continue;
       grid.start_row(iy, iz, base);
       if (grid.row_bound() >= hunt.worst()) continue;
-      for (std::size_t ix = 0; ix < grid.values[0].size(); ++ix) {
-        if (!open_[ix]) continue;
+      for (; ix < grid.values[0].size(); ix = taken_.next_free(iy, ix + 1)) {
         const std::int64_t cost = grid.cost_in_row(ix, hunt.worst());
         if (cost == kNoCost) continue;
         if (consider(hunt, state, {grid.values[0][ix], grid.values[1][iy], grid.values[2][iz]}, cost)) return true;

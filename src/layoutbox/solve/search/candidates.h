@@ -11,6 +11,7 @@
 #include "layoutbox/solve/search/candidate_grid.h"
 #include "layoutbox/solve/search/obstacles.h"
 #include "layoutbox/solve/search/region.h"
+#include "layoutbox/solve/search/taken_cells.h"
 
 namespace layoutbox::placement {
 
@@ -70,7 +71,6 @@ class CandidateFinder {
   // May it be pushed aside?
   static bool gives_way(const Obstacles::Forbidden& f, const CandidateOptions& options);
   bool pushes(const Vec3& at, const CandidateOptions& options, std::vector<ItemId>& hit);
-  bool open_row(const CandidateGrid& grid, std::size_t y, std::size_t z, const CandidateOptions& options);
   std::int64_t swing_cost(const Placements& placements, ItemId opening, const Placement& placement);
 
   const PlacementModel& model_;
@@ -81,7 +81,7 @@ class CandidateFinder {
   std::vector<SoftFormula> soft_pool_;
   std::span<const SoftFormula> soft_;  // those of the item at hand
   CandidateGrid grid_;                 // kept for its room
-  std::vector<std::uint8_t> open_;     // by x: of the row at hand
+  TakenCells taken_;                   // of the layer of the grid at hand
   bool skips_dear_ = false;
 };
 
