@@ -61,6 +61,11 @@ using Findings = std::map<std::pair<std::string, std::string>, double>;
 
 struct DressVerdict {
   Findings failed, shares;
+
+  // Nothing is wrong, and no share could be greater: no other room is better.
+  bool flawless() const {
+    return failed.empty() && std::ranges::all_of(shares, [](const auto& share) { return share.second >= 1; });
+  }
 };
 
 // So much of its used side is enough: a worktop goes on round the corner, where nobody stands before it.
@@ -95,6 +100,25 @@ std::vector<std::string> worse(const DressVerdict& before, const DressVerdict& n
   return subjects;
 }
 
+// The room as it was, judged only where that matters.
+class Before {
+ public:
+  Before(Layout layout, const Catalog& catalog) : layout_(std::move(layout)), catalog_(catalog) {}
+
+  // What is worse in the room as it is now.
+  std::vector<std::string> worse_in(const Layout& now) {
+    const DressVerdict verdict = judge(now, catalog_);
+    if (verdict.flawless()) return {};
+    if (!verdict_) verdict_ = judge(layout_, catalog_);
+    return worse(*verdict_, verdict);
+  }
+
+ private:
+  Layout layout_;
+  const Catalog& catalog_;
+  std::optional<DressVerdict> verdict_;
+};
+
 double gap_between(const RoomBox& a, const RoomBox& b) {
   return std::hypot(std::max({0.0, a.x0 - b.x1, b.x0 - a.x1}), std::max({0.0, a.y0 - b.y1, b.y0 - a.y1}));
 }
@@ -121,9 +145,9 @@ std::string to_blame(const Dresser& dresser, const std::string& subject) {
 }
 
 // Takes out again what makes the room worse, one after the other.
-void mend(Dresser& dresser, const DressVerdict& before) {
+void mend(Dresser& dresser, Before& before) {
   while (!dresser.added().empty()) {
-    const std::vector<std::string> subjects = worse(before, judge(dresser.layout(), dresser.catalog()));
+    const std::vector<std::string> subjects = before.worse_in(dresser.layout());
     if (subjects.empty()) return;
     dresser.remove({to_blame(dresser, subjects.front())});
   }
@@ -135,13 +159,10 @@ std::size_t show_what_hides(Layout& layout, const Catalog& catalog, const Spoken
     return std::ranges::any_of(Dressings::builtin().rehung, [&](const std::string& kind) { return catalog.is_a(object.category, kind); });
   };
   if (std::ranges::none_of(layout.objects, is_such)) return 0;
-  const std::vector<PlacedObject> as_it_was = layout.objects;
+  const Layout as_it_was = layout;
   const std::size_t moved = rehang(Dresser(layout, catalog, spoken), layout);
-  if (moved == 0) return 0;
-  Layout before = layout;
-  before.objects = as_it_was;
-  if (worse(judge(before, catalog), judge(layout, catalog)).empty()) return moved;
-  layout.objects = as_it_was;
+  if (moved == 0 || Before(as_it_was, catalog).worse_in(layout).empty()) return moved;
+  layout = as_it_was;
   return 0;
 }
 
@@ -182,10 +203,10 @@ std::size_t dress(SceneGraph& scene, Layout& layout, const Catalog& catalog, con
   if (catalog.only_articles() || spoken.wants_no_more(groups) || spoken.says_any(groups.none_to_fill)) return 0;
   const std::size_t moved = show_what_hides(layout, catalog, spoken);
   Dresser dresser(layout, catalog, spoken);
-  std::optional<DressVerdict> before;
+  std::optional<Before> before;
   for (const Dressing& row : Dressings::builtin().rows) {
     if (!is_wanted(dresser, row)) continue;
-    if (!before) before = judge(layout, catalog);
+    if (!before) before.emplace(layout, catalog);
     find_place(row.place)(dresser, row);
   }
   if (before) mend(dresser, *before);

@@ -31,6 +31,18 @@ Vec2d FloorPixels::point(int column, int row) const {
   return {(column - resolution_ / 2) * step_ + middle_.x, (row - resolution_ / 2) * step_ + middle_.y};
 }
 
+// Those of a row whose middles a test takes: all between about the ends of the span, which rounding may miss by one.
+template <class Test>
+std::pair<int, int> FloorPixels::columns(const Interval& span, Test takes) const {
+  const auto column_of = [&](double x) {
+    return static_cast<int>(std::clamp(std::nearbyint((x - middle_.x) / step_) + resolution_ / 2, 0.0, double(resolution_)));
+  };
+  int begin = std::max(column_of(span.lo) - 1, 0), end = std::min(column_of(span.hi) + 2, resolution_);
+  while (begin < end && !takes(begin)) ++begin;
+  while (begin < end && !takes(end - 1)) --end;
+  return {begin, end};
+}
+
 // Row by row; a point on the floor's edge is on the floor.
 void FloorPixels::draw_floor(const Polygon& floor) {
   std::vector<double> crossings;
@@ -48,10 +60,11 @@ void FloorPixels::draw_floor(const Polygon& floor) {
     std::sort(crossings.begin(), crossings.end());
     for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) spans.push_back({crossings[i], crossings[i + 1]});
     for (const Interval& span : spans) {
-      for (int column = 0; column < resolution_; ++column) {
+      const auto [begin, end] = columns(span, [&](int column) {
         const double x = point(column, row).x;
-        if (x >= span.lo && x <= span.hi) free_[index(column, row)] = 1;
-      }
+        return x >= span.lo && x <= span.hi;
+      });
+      std::fill_n(free_.begin() + static_cast<std::ptrdiff_t>(index(begin, row)), end - begin, std::uint8_t{1});
     }
   }
 }
@@ -182,7 +195,26 @@ void FloorPixels::block_near(const std::vector<std::uint8_t>& marks, double dist
   }
 }
 
+// What stands square to the room.
+void FloorPixels::block_square(const Body& body, Vec2d half, double grow) {
+  const double reach = grow + kTiny;
+  const Vec2d center = body.shape.center;
+  const auto rows = around(center, half.y + grow);
+  for (int row = rows.y0; row < rows.y1; ++row) {
+    const double over_y = std::max(std::abs(point(0, row).y - center.y) - half.y, 0.0);
+    if (over_y > reach) continue;
+    const double most = half.x + (over_y > 0 ? std::sqrt(std::max(0.0, reach * reach - over_y * over_y)) : reach);
+    const auto [begin, end] = columns({center.x - most, center.x + most}, [&](int column) {
+      return within(std::max(std::abs(point(column, row).x - center.x) - half.x, 0.0), over_y, reach);
+    });
+    std::fill_n(free_.begin() + static_cast<std::ptrdiff_t>(index(begin, row)), end - begin, std::uint8_t{0});
+  }
+}
+
 void FloorPixels::block_box(const Body& body, double grow) {
+  const Frame& frame = body.own_frame;
+  if (frame.x.y == 0) return block_square(body, Vec2d{body.width, body.depth} * 0.5, grow);
+  if (frame.x.x == 0) return block_square(body, Vec2d{body.depth, body.width} * 0.5, grow);
   const double reach = std::hypot(body.width, body.depth) / 2 + grow;
   const auto [x0, x1, y0, y1] = around(body.shape.center, reach);
   for (int row = y0; row < y1; ++row) {

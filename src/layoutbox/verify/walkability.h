@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "layoutbox/verify/room_view.h"
@@ -46,7 +47,10 @@ class FloorPixels {
   struct Stretch;
 
   void draw_floor(const Polygon& floor);
+  template <class Test>
+  std::pair<int, int> columns(const Interval& span, Test takes) const;
   void block_box(const Body& body, double grow);
+  void block_square(const Body& body, Vec2d half, double grow);
   void mark(const Triangle& triangle, std::vector<std::uint8_t>& marks) const;
   void block_near(const std::vector<std::uint8_t>& marks, double distance);
   std::vector<Stretch> stretches() const;
