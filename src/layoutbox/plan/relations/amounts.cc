@@ -11,9 +11,10 @@ namespace {
 
 constexpr int kUnsaid = 2;  // what a plural was read as
 constexpr int kSeveral = 3, kLots = 6;
-constexpr int kVagueLots = 4;       // "lots of", "many", as the word lists have them
-constexpr Mm kSmall = 300;          // across
-constexpr std::int64_t kRoomy = 3;  // so much of a carrier's top is free of them
+constexpr int kVagueLots = 4;        // "lots of", "many", as the word lists have them
+constexpr Mm kSmall = 300;           // across
+constexpr std::int64_t kLevels = 4;  // of a shelf
+constexpr std::int64_t kRoomy = 3;   // so much of a carrier's top is free of them
 
 class Amounts {
  public:
@@ -46,7 +47,8 @@ class Amounts {
   static bool takes(const NounPhrase& carrier, const CatalogEntry& thing, int count) {
     const Size &top = carrier.entry->size.usual, &one = thing.size.usual;
     const auto area = [](const Size& size) { return std::int64_t{size.width} * size.depth; };
-    return area(top) >= kRoomy * count * area(one);
+    const std::int64_t levels = carrier.entry->is(Trait::kShelving) ? kLevels : 1;
+    return levels * area(top) >= kRoomy * count * area(one);
   }
 
   void settle(int m) {
