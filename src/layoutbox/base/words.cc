@@ -59,7 +59,7 @@ std::string counted(std::size_t count, std::string_view one, std::string_view ma
 }
 
 std::string singular_of(std::string_view word) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 34> kIrregular = {{
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 36> kIrregular = {{
       {"shelves", "shelf"},    {"bookshelves", "bookshelf"},
       {"knives", "knife"},     {"loaves", "loaf"},
       {"leaves", "leaf"},      {"scarves", "scarf"},
@@ -77,6 +77,7 @@ std::string singular_of(std::string_view word) {
       {"cacti", "cactus"},     {"geese", "goose"},
       {"plushies", "plushie"}, {"hoodies", "hoodie"},
       {"brownies", "brownie"}, {"beanies", "beanie"},
+      {"codices", "codex"},    {"appendices", "appendix"},
   }};
   for (const auto& [plural, singular] : kIrregular) {
     if (word == plural) return std::string(singular);

@@ -244,6 +244,11 @@ class Decoder {
   const std::string& word(int u) const { return document_.tokens[chunk(u).first].text; }
   const PhraseSenses& alone_senses(int u) const;
   bool by_each_other(int u) const;
+  bool is_own_top(const State& state, int u) const;
+  int doer_of_relative(const State& state, int u) const;
+  int past_places(int u) const;
+  bool brings_by_verb(int u) const;
+  bool goes_on_in_turn(const State& state, int u) const;
   bool says_its(int u) const;
   bool is_subject(int u) const;
   bool heads_subject(int u) const;

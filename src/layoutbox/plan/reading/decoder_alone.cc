@@ -110,6 +110,14 @@ void Decoder::alone_actions(std::size_t s, int u) {
   const std::string& last = document_.tokens[chunk(u).last - 1].text;
   const bool open_end = last == "of" || last == "to" || last == "from" || last == "with" || last == "by" || last == "at" || last == "on" ||
                         last == "in" || last == "against";
+  if (is_own_top(state, u)) {
+    add(s, kPass, 0);
+    return;
+  }
+  if (const int doer = doer_of_relative(state, u); doer >= 0) {
+    add(s, kAttachAlone, weight::kUsual, u - 1, doer, state.told);
+    return;
+  }
   const bool up_or_down = says(place.direct, RelationType::kAbove) || says(place.direct, RelationType::kUnder);
   if (!alone && !phrase.possessive && (open_end || place.direct.empty() || !up_or_down)) {
     add(s, kPass, 0);
@@ -131,14 +139,49 @@ void Decoder::alone_actions(std::size_t s, int u) {
   const bool noun_next = follows(u, UnitKind::kNoun) && chunk(u + 1).noun.kind == NounKind::kObject;
   // "on it, from left to right, stand a jar and a mug"
   int verb = is(u + 1, UnitKind::kPlace) && says(unit(u + 1).alone, RelationType::kRow) ? u + 2 : u + 1;
-  // "… and opposite it, along the wall, are three lockers"
-  while (is(verb, UnitKind::kPlace) && unit(verb).joiner == Joiner::kComma && follows(verb, UnitKind::kNoun)) verb += 2;
-  const bool verb_next = (is(verb, UnitKind::kVerb) || is(verb, UnitKind::kOpen)) && is(verb + 1, UnitKind::kNoun) &&
-                         chunk(verb + 1).noun.kind == NounKind::kObject;
-  const bool comma_next =
-      is(u + 1, UnitKind::kNoun) && unit(u + 1).joiner == Joiner::kComma && is_new_thing(chunk(u + 1).noun) &&
-      (place.clause || place.joiner == Joiner::kAnd || place.joiner == Joiner::kCommaAnd);  // "… and, right on top, a raven"
+  // "… and opposite it, along the wall, are three lockers", "…, hung a crucifix", "…, a shelf"
+  const int next = past_places(verb);
+  const bool begins = place.clause || place.joiner == Joiner::kAnd || place.joiner == Joiner::kCommaAnd || goes_on_in_turn(state, u);
+  const bool comma_next = is(next, UnitKind::kNoun) && unit(next).joiner == Joiner::kComma && is_new_thing(chunk(next).noun) &&
+                          begins;  // "… and, right on top, a raven"
+  const bool verb_next = brings_by_verb(next);
   if (noun_next || verb_next || comma_next) front_alone_actions(s, u, 2.5);
+}
+
+// "a cabinet holding on its top a lamp": where on itself a thing has what comes next.
+bool Decoder::is_own_top(const State& state, int u) const {
+  const bool own = says_its(u) || document_.tokens[chunk(u).last - 1].text == "it";
+  return own && u > 0 && state.waiting == u - 1 && unit(u).joiner == Joiner::kNone && follows(u, UnitKind::kNoun);
+}
+
+// "a television, which two speakers flank", "… that a lamp and a clock flank": the first of those that a relative clause about another
+// thing says it of; −1: it ends in no such verb.
+int Decoder::doer_of_relative(const State& state, int u) const {
+  if (state.told < 0 || unit(u).direct.empty() || unit(u).joiner != Joiner::kNone || !finite_place(u)) return -1;
+  int doer = u - 1;
+  while (is(doer, UnitKind::kNoun) && is(doer - 1, UnitKind::kNoun) && read_as(state, doer).former == doer - 1) --doer;
+  const bool clause = is_thing(state, doer) && is(doer - 1, UnitKind::kRelative) && is_thing(state, state.told);
+  return clause ? doer : -1;
+}
+
+// The unit after the places, each between commas, that begin there: "…, on the wall, …".
+int Decoder::past_places(int u) const {
+  while (is(u, UnitKind::kPlace) && unit(u).joiner == Joiner::kComma && follows(u, UnitKind::kNoun)) u += 2;
+  return u;
+}
+
+// A verb and its thing, which places may stand before: "are three lockers", "hung a crucifix".
+bool Decoder::brings_by_verb(int u) const {
+  const bool thing = is(u + 1, UnitKind::kNoun) && chunk(u + 1).noun.kind == NounKind::kObject;
+  if (is(u, UnitKind::kVerb) || is(u, UnitKind::kOpen)) return thing;
+  return thing && is(u, UnitKind::kParticiple) && unit(u + 1).joiner == Joiner::kNone && is_fresh(u + 1);
+}
+
+// "to its left, a stand, to its right, a locker": as the place before it came before its thing.
+bool Decoder::goes_on_in_turn(const State& state, int u) const {
+  if (unit(u).joiner != Joiner::kComma || state.fronted.empty() || !is(u - 1, UnitKind::kNoun)) return false;
+  const UnitReading& before = read_as(state, state.fronted.back());
+  return before.subject == u - 1 && unit(u - 1).joiner == Joiner::kComma;
 }
 
 // What the place at u says without its reference.

@@ -141,6 +141,12 @@ void Decoder::place_actions(std::size_t s, int u) {
   const Unit& place = unit(u);
   const bool noun_follows = follows(u, UnitKind::kNoun);
   const bool joined = place.joiner != Joiner::kNone;
+  // "a cabinet bearing on its top a lamp"
+  if (!noun_follows && !place.inverse.empty() && !state.frontier.empty() && is(u + 1, UnitKind::kPlace) && says_its(u + 1) &&
+      unit(u + 1).joiner == Joiner::kNone && follows(u + 1, UnitKind::kNoun)) {
+    attach_actions(s, u, kAttachInverse);
+    return;
+  }
   if (!noun_follows || (place.direct.empty() && place.inverse.empty())) {
     alone_actions(s, u);
     return;
@@ -267,11 +273,10 @@ void Decoder::first_place_actions(std::size_t s, int u) {
   if (between && is(after, UnitKind::kNoun) && unit(after).joiner == Joiner::kAnd && is_known_noun(chunk(after).noun)) ++after;
   while (is(after, UnitKind::kPlace) && unit(after).joiner == Joiner::kNone && follows(after, UnitKind::kNoun)) after += 2;
   // "… and near it, against the wall, a sideboard"
-  int last = after;
-  while (is(last, UnitKind::kPlace) && unit(last).joiner == Joiner::kComma && follows(last, UnitKind::kNoun)) last += 2;
-  const bool begins = place.joiner == Joiner::kAnd || place.joiner == Joiner::kCommaAnd || place.clause;
+  const int last = past_places(after);
+  const bool begins = place.joiner == Joiner::kAnd || place.joiner == Joiner::kCommaAnd || place.clause || goes_on_in_turn(state, u);
   const bool listed = last > after && begins && is(last, UnitKind::kNoun) && unit(last).joiner == Joiner::kComma && is_fresh(last);
-  const bool verb_last = last > after && begins && (is(last, UnitKind::kVerb) || is(last, UnitKind::kOpen));  // "… are a stall and a rack"
+  const bool verb_last = last > after && begins && brings_by_verb(last);  // "… are a stall and a rack"
   if (listed || verb_last) after = last;
   if (is(after, UnitKind::kPlace) && says(unit(after).alone, RelationType::kRow)) ++after;  // "on it, from left to right, stand a jar …"
   double pattern = -4;
@@ -280,11 +285,9 @@ void Decoder::first_place_actions(std::size_t s, int u) {
   if (is(after, UnitKind::kNoun) && unit(after).joiner == Joiner::kNone && (is_fresh(after) || (begins && is_bare_after_comma(after))))
     pattern = known ? 3 : 2;
   // "above the mantel hung a map"
-  const bool hung = is(after, UnitKind::kParticiple) && unit(after).joiner == Joiner::kNone && is(after + 1, UnitKind::kNoun) &&
-                    unit(after + 1).joiner == Joiner::kNone && is_fresh(after + 1);
-  const bool verb = is(after, UnitKind::kVerb) || is(after, UnitKind::kOpen) || hung;
-  if (verb && is(after + 1, UnitKind::kNoun) && chunk(after + 1).noun.kind == NounKind::kObject) pattern = 2.5;
-  if (is(after, UnitKind::kNoun) && unit(after).joiner == Joiner::kComma && place.joiner != Joiner::kComma &&
+  const bool follows_at_once = verb_last || !is(after, UnitKind::kParticiple) || unit(after).joiner == Joiner::kNone;
+  if (brings_by_verb(after) && follows_at_once) pattern = 2.5;
+  if (is(after, UnitKind::kNoun) && unit(after).joiner == Joiner::kComma && (place.joiner != Joiner::kComma || begins) &&
       is_new_thing(chunk(after).noun))
     pattern = listed || is_subject(after) ? 2.5 : 1.2;  // "… and in the middle, cleared for play, a rug is spread"
   if (is(after, UnitKind::kOpen)) pattern = 2.5;

@@ -49,6 +49,37 @@ int qualities_shared(const NounPhrase& wanted, const NounPhrase& item) {
   return score;
 }
 
+bool says_any(const NounPhrase& noun, WordSet set) {
+  return std::ranges::any_of(noun.attributes, [&](const std::string& word) { return one_of(word, set); });
+}
+
+// What is said of its color, and none of it of the other's.
+bool has_other_color(const NounPhrase& wanted, const NounPhrase& item) {
+  const auto colors = [](const NounPhrase& noun) {
+    std::vector<std::string> words;
+    for (std::size_t i = 0; i < noun.attributes.size(); ++i) {
+      if (noun.attribute_classes[i] == WordClass::kColor) words.push_back(noun.attributes[i]);
+    }
+    return words;
+  };
+  const std::vector<std::string> one = colors(wanted), other = colors(item);
+  return !one.empty() && !other.empty() && std::ranges::none_of(one, [&](const std::string& color) {
+    return std::ranges::any_of(
+        other, [&](const std::string& own) { return color.find(own) != std::string::npos || own.find(color) != std::string::npos; });
+  });
+}
+
+// "the red chair … the blue chair", "the small table … the large table": two things.
+bool is_contrary(const NounPhrase& wanted, const NounPhrase& item) {
+  if (wanted.is_plural() || item.count > 1 || wanted.attributes.empty() || item.attributes.empty()) return false;
+  static constexpr std::pair<WordSet, WordSet> kContraries[] = {
+      {WordSet::kGreat, WordSet::kSlight}, {WordSet::kAged, WordSet::kRecent}, {WordSet::kDry, WordSet::kWet}};
+  return has_other_color(wanted, item) || std::ranges::any_of(kContraries, [&](const auto& pair) {
+           return (says_any(wanted, pair.first) && says_any(item, pair.second) && !says_any(item, pair.first)) ||
+                  (says_any(wanted, pair.second) && says_any(item, pair.first) && !says_any(item, pair.second));
+         });
+}
+
 // Said of somebody's, and the item is not his.
 bool is_anothers(const NounPhrase& wanted, const NounPhrase& item) {
   if (wanted.owner_word.empty()) return false;
@@ -71,7 +102,7 @@ bool References::same_kind(const NounPhrase& wanted, const NounPhrase& item) con
 // 4: the same words, 3: the same kind, 2: a kind of it, 1: a word for something more general or the same head noun.
 int References::fit(const NounPhrase& wanted, const NounPhrase& item) const {
   const Catalog& catalog = lexicon_.catalog();
-  if (is_anothers(wanted, item)) return 0;
+  if (is_anothers(wanted, item) || is_contrary(wanted, item)) return 0;
   if (wanted.name == item.name) return 4;
   // "the captain's chair" is no pilot seat.
   const std::size_t owner = wanted.name.find("'s ");
@@ -92,7 +123,9 @@ int References::fit(const NounPhrase& wanted, const NounPhrase& item) const {
     if (wanted.name.find(' ') == std::string::npos) return 2;
     return kind_apart ? 0 : 1;  // "the teacher's desk" is none of the desks
   }
-  if (wanted.exact && item.entry != nullptr && wanted.entry != nullptr && wanted.entry != item.entry &&
+  // "the seat" is any chair; "the violin case", which is only like an instrument, is no cello.
+  const bool is_its_name = wanted.name.find(' ') == std::string::npos || catalog.find_by_words(wanted.name) == wanted.entry;
+  if (wanted.exact && is_its_name && item.entry != nullptr && wanted.entry != nullptr && wanted.entry != item.entry &&
       catalog.is_a(item.entry->id, wanted.entry->id))
     return 2;
   if (wanted.entry != nullptr && item.entry == wanted.entry && (wanted.exact || item.exact) && wanted.name.find(' ') == std::string::npos &&
