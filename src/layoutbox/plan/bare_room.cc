@@ -10,12 +10,19 @@
 namespace layoutbox {
 namespace {
 
+// An L of seats is open before it.
+double covered_by(const CatalogEntry& entry, const Size& size) {
+  constexpr Mm kDepthOfSeats = 1000;
+  const bool seats = entry.is(Trait::kCenterPiece) && !entry.is(Trait::kBed);
+  return double(size.width) * (seats ? std::min(size.depth, kDepthOfSeats) : size.depth);
+}
+
 double covered_floor(const SceneGraph& scene, const Catalog& catalog) {
   double area = 0;
   for (const SceneObject& object : scene.objects) {
     const CatalogEntry& entry = catalog.entry_or_nearest(object.category);
     const Size& size = object.size ? object.size->usual : entry.size.usual;
-    if (object.mount.value_or(entry.mount) == Mount::kFloor && !entry.thin) area += double(size.width) * size.depth;
+    if (object.mount.value_or(entry.mount) == Mount::kFloor && !entry.thin) area += covered_by(entry, size);
   }
   return area;
 }

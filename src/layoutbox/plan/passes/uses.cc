@@ -119,14 +119,22 @@ class UseReader : public TokenReader {
     return best;
   }
 
+  // "somewhere for the old dog to lie down"
+  bool is_pet(std::size_t at) const {
+    const Meaning* meaning = meaning_of(lexicon_.find(tokens_, at, WordClass::kObject), WordClass::kObject);
+    return meaning != nullptr && meaning->entry != nullptr && meaning->entry->is(Trait::kPet);
+  }
+
   // What is said from `at` on, behind the place.
   std::optional<Use> use_at(std::size_t at) const {
     if (is(at, {"to"})) return to_do(at + 1, 0);
     if (is(at, {"for"})) {
       constexpr std::size_t kWho = 5;  // tokens
       int people = 0;
+      bool pets = false;
       for (std::size_t to = at + 1; to <= at + kWho && !ends(to); ++to) {
-        if (is(to, {"to"})) return to_do(to + 1, people);
+        if (is(to, {"to"})) return pets ? longest("pets", to + 1, 0) : to_do(to + 1, people);
+        pets |= is_pet(to);
         if (const NumberRead number = read_number(lexicon_, tokens_, to); number.length > 0) people = static_cast<int>(number.value);
         if (tokens_[to].text.ends_with('s')) people = std::max(people, 2);  // "for friends to sit"
       }

@@ -18,7 +18,8 @@ constexpr std::int64_t kRoomy = 3;   // so much of a carrier's top is free of th
 
 class Amounts {
  public:
-  Amounts(const Lexicon& lexicon, Document& document) : document_(document), builder_(lexicon, document), links_(document) {}
+  Amounts(const Lexicon& lexicon, Document& document)
+      : lexicon_(lexicon), document_(document), builder_(lexicon, document), links_(document) {}
 
   void run() {
     for (std::size_t m = 0; m < document_.mentions.size(); ++m) settle(static_cast<int>(m));
@@ -56,7 +57,7 @@ class Amounts {
     const NounPhrase& noun = mention.noun;
     const bool unsaid = noun.count == 0 && noun.plural && static_cast<int>(mention.items.size()) == kUnsaid;
     const bool lots = noun.vague && noun.count == kVagueLots && static_cast<int>(mention.items.size()) == kVagueLots;
-    const bool some = noun.vague && noun.count == kUnsaid && noun.plural && static_cast<int>(mention.items.size()) == kUnsaid;
+    const bool some = noun.vague && lexicon_.is(document_.tokens[noun.first], WordClass::kVague) && noun.count == kUnsaid && noun.plural && static_cast<int>(mention.items.size()) == kUnsaid;
     if (!mention.introduces || noun.kind != NounKind::kObject || noun.entry == nullptr || !(unsaid || lots || some)) return;
     if (!is_small(*noun.entry)) return;
     const int wanted = lots ? kLots : kSeveral;
@@ -64,6 +65,7 @@ class Amounts {
     if (carrier != nullptr && takes(*carrier, *noun.entry, wanted)) builder_.grow(m, wanted);
   }
 
+  const Lexicon& lexicon_;
   Document& document_;
   SeatBuilder builder_;
   MentionLinks links_;
