@@ -89,7 +89,9 @@ Piece::Piece(const PlacedObject& object, const CatalogEntry& entry, std::vector<
   said_materials_ = wish_.materials.size();
   const SurfaceWish usual = read_wish(usual_look(entry));
   wish_.materials.insert(wish_.materials.end(), usual.materials.begin(), usual.materials.end());
-  if (!wish_.color && said_materials_ == 0) wish_.color = usual.color;
+  // "sheer linen curtains" are white as others are: cloth may have any color.
+  const bool any_color = std::ranges::all_of(wish_.materials, &NamedSurface::tint);
+  if (!wish_.color && (said_materials_ == 0 || any_color)) wish_.color = usual.color;
   text_ = fmt::format(" {} {} ", lower_words(object.name), lower_words(fmt::format("{}", fmt::join(object.attributes, " "))));
   for (const auto& [key, value] : entry.shape.words) text_ += value + " ";
 }
