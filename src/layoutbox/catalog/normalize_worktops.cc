@@ -3,7 +3,6 @@
 
 #include "layoutbox/catalog/normalize_steps.h"
 #include "layoutbox/catalog/trait_table.h"
-#include "layoutbox/scene/shell.h"
 
 namespace layoutbox {
 namespace {

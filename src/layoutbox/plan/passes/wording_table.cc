@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <charconv>
+#include <functional>
 #include <utility>
 
 #include "layoutbox/base/words.h"
@@ -114,18 +116,50 @@ std::vector<Wording> read_rows() {
   return rows;
 }
 
+// The words of a text, a bit each of a few; some share one: what it lacks is not in the text.
+class WordBits {
+ public:
+  void add(std::string_view word) { bits_.set(bit_of(word)); }
+  bool may_have(std::string_view word) const { return bits_.test(bit_of(word)); }
+
+ private:
+  static constexpr std::size_t kBits = 2048;
+  static std::size_t bit_of(std::string_view word) { return std::hash<std::string_view>{}(word) % kBits; }
+  std::bitset<kBits> bits_;
+};
+
+// The element that most texts lack: of those that must stand there as a word, the one with the fewest; null: none must.
+const Element* rarest(const std::vector<Element>& says) {
+  const Element* found = nullptr;
+  for (const Element& element : says) {
+    const bool needed = element.kind == ElementClass::kNone && element.least > 0 && !element.words.empty() &&
+                        (element.look == Look::kHere || element.look == Look::kAfter);
+    if (needed && (found == nullptr || element.words.size() < found->words.size())) found = &element;
+  }
+  return found;
+}
+
 class TableReader : public TokenReader {
  public:
   using TokenReader::TokenReader;
 
   void run() {
+    for (const Token& token : tokens_) there_.add(token.text);
     for (const Wording& row : wordings()) {
       if ((!row.only_with.empty() && !has_any(row.only_with)) || has_any(row.unless)) continue;
-      for (const std::vector<Element>& says : row.says) read(says);
+      for (const std::vector<Element>& says : row.says) {
+        if (may_stand(says)) read(says);
+      }
     }
   }
 
  private:
+  // Most texts have none of the words that most rows need, and are not looked through for them.
+  bool may_stand(const std::vector<Element>& says) const {
+    const Element* needed = rarest(says);
+    return needed == nullptr || std::ranges::any_of(needed->words, [&](std::string_view word) { return there_.may_have(word); });
+  }
+
   bool has_any(const std::vector<std::string_view>& words) const {
     return std::ranges::any_of(
         words, [&](std::string_view word) { return std::ranges::any_of(tokens_, [&](const Token& token) { return token.text == word; }); });
@@ -144,6 +178,7 @@ class TableReader : public TokenReader {
     if (element.left_out) leave_out(first, last);
     if (element.becomes.empty() || first == last) return;
     tokens_[first].text = element.becomes;
+    there_.add(element.becomes);
     tokens_[first].kind = Token::Kind::kWord;
   }
 
@@ -216,6 +251,7 @@ class TableReader : public TokenReader {
   }
 
   std::vector<std::size_t> ends_;  // of the elements that were found
+  WordBits there_;
 };
 
 }  // namespace

@@ -136,6 +136,10 @@ bool lies_or_hangs(const NounPhrase& item) {
          (item.entry->size.usual.depth <= kFlat || one_of(item.head, WordSet::kMayStand));
 }
 
+bool is_wide_seat(const NounPhrase& noun) {
+  return noun.entry != nullptr && noun.entry->size.usual.width >= 2 * noun.entry->size.usual.depth;
+}
+
 bool is_for_several(const NounPhrase& noun) {
   constexpr int kLong = 2;
   return noun.entry != nullptr && !noun.plural && noun.entry->is(Trait::kSeat) &&

@@ -42,6 +42,7 @@ bool is_tall(const NounPhrase& noun);                              // said to be
 bool is_common(const NounPhrase& noun);                            // "a shared printer": one for all
 bool is_seat(const Catalog& catalog, const NounPhrase& noun);      // for one person
 bool is_for_several(const NounPhrase& noun);                       // a bench
+bool is_wide_seat(const NounPhrase& noun);                         // a bench for two or more, that stands along a table's side
 bool is_drawn_up(const Catalog& catalog, const NounPhrase& noun);  // a seat that one draws up to a table: no sofa, no armchair
 bool lies_or_hangs(const NounPhrase& item);                        // a poster, a small mirror
 bool is_lamp(const Catalog& catalog, const NounPhrase& noun);

@@ -222,8 +222,8 @@ double Decoder::clause_antecedents(const State& state, const NounPhrase* noun, c
   }
   if (noun != nullptr && noun->determiner == Determiner::kOther) others_of(state, *noun, order, trial);
   // "one", "the other", "each": of any group that was named.
-  const bool of_any = noun != nullptr && (!listed || noun->determiner == Determiner::kEach) && noun->head.empty();
-  const bool member = noun != nullptr && noun->kind == NounKind::kMember && (!listed || of_any);
+  const bool each = noun != nullptr && noun->determiner == Determiner::kEach && noun->head.empty();
+  const bool member = noun != nullptr && noun->kind == NounKind::kMember && (!listed || each);
   for (int u = static_cast<int>(state.units.size()); member && u-- > 0;) {
     if (!is(u, UnitKind::kNoun) || read_as(state, u).role == NounRole::kUnread || !several(state, u)) continue;
     trial(u, order, false);

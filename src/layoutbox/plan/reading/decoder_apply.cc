@@ -129,8 +129,10 @@ void Decoder::apply_root(State& state, const Action& action, int u) const {
   own.role = NounRole::kRoot;
   if (action.kind == kNewRoot && !state.frontier.empty()) {
     const bool room_list = state.room_list;
+    const int told = is(u - 1, UnitKind::kRelative) ? state.told : -1;  // "a television, which two speakers flank"
     begin_clause(state);
     state.room_list = room_list;
+    state.told = told;
   }
   if (action.kind == kNextRoot && is_thing(state, action.unit)) own.former = action.unit;
   own.opens_clause = own.former < 0;

@@ -57,7 +57,8 @@ class Amounts {
     const NounPhrase& noun = mention.noun;
     const bool unsaid = noun.count == 0 && noun.plural && static_cast<int>(mention.items.size()) == kUnsaid;
     const bool lots = noun.vague && noun.count == kVagueLots && static_cast<int>(mention.items.size()) == kVagueLots;
-    const bool some = noun.vague && lexicon_.is(document_.tokens[noun.first], WordClass::kVague) && noun.count == kUnsaid && noun.plural && static_cast<int>(mention.items.size()) == kUnsaid;
+    const bool some = noun.vague && lexicon_.is(document_.tokens[noun.first], WordClass::kVague) && noun.count == kUnsaid && noun.plural &&
+                      static_cast<int>(mention.items.size()) == kUnsaid;
     if (!mention.introduces || noun.kind != NounKind::kObject || noun.entry == nullptr || !(unsaid || lots || some)) return;
     if (!is_small(*noun.entry)) return;
     const int wanted = lots ? kLots : kSeveral;

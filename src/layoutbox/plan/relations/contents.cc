@@ -97,8 +97,7 @@ void RelationBuilder::share_out(const Link& link, R type, const std::vector<int>
 // "a table with four chairs", "desks with chairs".
 void RelationBuilder::add_seats(const Link& link, const std::vector<int>& seats, const std::vector<int>& tables) {
   // "a long table with two benches": along it, not at its ends
-  const CatalogEntry* bench = noun_of_item(seats.front()).entry;
-  const bool wide = bench != nullptr && bench->size.usual.width >= 2 * bench->size.usual.depth;
+  const bool wide = is_wide_seat(noun_of_item(seats.front()));
   Link along = link;
   along.concluded = true;
   if (wide && seats.size() == 2 && tables.size() == 1)

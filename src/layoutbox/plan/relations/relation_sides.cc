@@ -117,8 +117,7 @@ bool RelationBuilder::add_at_sides(const Link& link, const PhraseSense& sense, c
     return true;
   }
   // "a long table with benches on both sides": along it, not at its ends
-  const CatalogEntry* seat = noun_of_item(targets.front()).entry;
-  const bool wide = seat != nullptr && seat->size.usual.width >= 2 * seat->size.usual.depth;
+  const bool wide = is_wide_seat(noun_of_item(targets.front()));
   if (targets.size() == 2 && wide) add(link, R::kEachSideOf, ids(targets), {id(host)});
   if (targets.size() < 4 && link.sides <= 2 && !wide) return false;
   add_seats_at_sides(link, targets, host);
