@@ -100,7 +100,9 @@ class UseReader : public TokenReader {
       words.remove_prefix(std::min(words.size(), word.size() + 1));
       while (at > first && is_article(at) && tokens_[at].text != word) ++at;
       if (at == first) at = past_quantity(at);
-      if (at >= tokens_.size() || (tokens_[at].text != word && singular_of(tokens_[at].text) != singular_of(word))) return 0;
+      if (at >= tokens_.size() || tokens_[at].text.empty()) return 0;
+      const bool alike = tokens_[at].text.front() == word.front();  // no plural begins otherwise
+      if (!alike || (tokens_[at].text != word && singular_of(tokens_[at].text) != singular_of(word))) return 0;
       ++at;
     }
     return at - first;

@@ -128,15 +128,10 @@ class WordBits {
   std::bitset<kBits> bits_;
 };
 
-// The element that most texts lack: of those that must stand there as a word, the one with the fewest; null: none must.
-const Element* rarest(const std::vector<Element>& says) {
-  const Element* found = nullptr;
-  for (const Element& element : says) {
-    const bool needed = element.kind == ElementClass::kNone && element.least > 0 && !element.words.empty() &&
-                        (element.look == Look::kHere || element.look == Look::kAfter);
-    if (needed && (found == nullptr || element.words.size() < found->words.size())) found = &element;
-  }
-  return found;
+// Must a word of it stand in the text?
+bool is_needed(const Element& element) {
+  return element.kind == ElementClass::kNone && element.least > 0 && !element.words.empty() &&
+         (element.look == Look::kHere || element.look == Look::kAfter);
 }
 
 class TableReader : public TokenReader {
@@ -154,10 +149,11 @@ class TableReader : public TokenReader {
   }
 
  private:
-  // Most texts have none of the words that most rows need, and are not looked through for them.
+  // Most texts lack a word that the row needs, and are not looked through for it.
   bool may_stand(const std::vector<Element>& says) const {
-    const Element* needed = rarest(says);
-    return needed == nullptr || std::ranges::any_of(needed->words, [&](std::string_view word) { return there_.may_have(word); });
+    return std::ranges::all_of(says, [&](const Element& element) {
+      return !is_needed(element) || std::ranges::any_of(element.words, [&](std::string_view word) { return there_.may_have(word); });
+    });
   }
 
   bool has_any(const std::vector<std::string_view>& words) const {

@@ -165,8 +165,8 @@ void add_openings(const Document& document, SceneGraph& scene) {
     const bool anew = mention.noun.determiner != Determiner::kDefinite && !meant.attributes.empty();
     const auto same = [&](const Opening& o) {
       const std::string wall = wall_of_opening(mention.noun.wall_word, type, room);
-      const bool other = leads_elsewhere(o, room) != leads_elsewhere(meant, room) || (anew && o.attributes != meant.attributes);
-      return o.type == type && !other && (wall.empty() || o.wall.empty() || o.wall == wall);
+      if (o.type != type || !(wall.empty() || o.wall.empty() || o.wall == wall)) return false;
+      return leads_elsewhere(o, room) == leads_elsewhere(meant, room) && !(anew && o.attributes != meant.attributes);
     };
     const auto there = std::ranges::find_if(scene.room.openings, same);
     if (there != scene.room.openings.end()) {  // "there is a window in the back wall. The window is 2 m wide."
