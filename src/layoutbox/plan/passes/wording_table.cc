@@ -174,8 +174,17 @@ class TableReader : public TokenReader {
     if (element.left_out) leave_out(first, last);
     if (element.becomes.empty() || first == last) return;
     tokens_[first].text = element.becomes;
+    if (is_left_alone(first)) tokens_[first].glued = false;
     there_.add(element.becomes);
     tokens_[first].kind = Token::Kind::kWord;
+  }
+
+  // "20 seven-year-olds" as "20 children": all that it was joined to is left out.
+  bool is_left_alone(std::size_t at) const {
+    while (at > 0 && tokens_[at].glued) {
+      if (!skip_[--at]) return false;
+    }
+    return true;
   }
 
   // The elements from `e` on stand at `at`; where each of them ends is in `ends_`.

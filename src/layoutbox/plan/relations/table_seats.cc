@@ -33,6 +33,7 @@ class TableSeats {
     for (std::size_t m = 0; m < said; ++m) share_seats(static_cast<int>(m));
     for (std::size_t m = 0; m < said; ++m) share_companions(static_cast<int>(m));
     for (const Link& link : document_.links) share_stands(link);
+    for (std::size_t m = 0; m < said; ++m) gather_loose(static_cast<int>(m));
   }
 
  private:
@@ -199,6 +200,40 @@ class TableSeats {
       return row.each == 1 && catalog_.is_a(before.noun.entry->id, row.of) && catalog_.is_a(noun.entry->id, row.adds);
     };
     if (std::ranges::any_of(Groups::builtin().companions, goes_with)) builder_.grow(m, static_cast<int>(before.items.size()));
+  }
+
+  // "a round table, four microphones, four swivel chairs": at the one table that is named, where each would need a desk of its own;
+  // "two long tables with lamps, wooden chairs": as many as they take.
+  std::vector<int> seats_at(const Mention& table) const {
+    std::vector<int> placed = links_.placed_by(table, kAnyLink);
+    std::erase_if(placed, [&](int m) { return !names_seat(mention(m)); });
+    return placed;
+  }
+
+  void gather_loose(int seats) {
+    const NounPhrase& noun = mention(seats).noun;
+    constexpr std::size_t kGroup = 3;
+    const bool uncounted = noun.plural && noun.count == 0;
+    if (!names_seat(mention(seats)) || noun.entry == nullptr || !noun.entry->is(Trait::kChair) || !links_.hosts_of(seats).empty()) return;
+    if (!uncounted && mention(seats).items.size() < kGroup) return;
+    std::optional<int> table;
+    for (std::size_t m = 0; m < document_.mentions.size(); ++m) {
+      const Mention& other = document_.mentions[m];
+      const bool such =
+          names_things(other) && other.noun.entry != nullptr && is_table(catalog_, other.noun) && is_for_several(*other.noun.entry);
+      if (!such) continue;
+      if (table) return;
+      table = static_cast<int>(m);
+    }
+    if (!table || !seats_at(mention(*table)).empty()) return;
+    if (uncounted) {
+      constexpr int kMostAtOne = 6;
+      const Mention& at = mention(*table);
+      const int each = std::min(seats_at_size(*seating_at(*at.noun.entry), false, at.noun.entry->size.usual), kMostAtOne);
+      builder_.grow(seats, each * static_cast<int>(at.items.size()));
+    }
+    builder_.seat_at_table(seats, *table, true);
+    links_.follow();
   }
 
   // "three cameras on tripods": one for each, where one of them takes no more.
