@@ -72,8 +72,7 @@ bool has_other_color(const NounPhrase& wanted, const NounPhrase& item) {
 // "the red chair … the blue chair", "the small table … the large table": two things.
 bool is_contrary(const NounPhrase& wanted, const NounPhrase& item) {
   if (wanted.is_plural() || item.count > 1 || wanted.attributes.empty() || item.attributes.empty()) return false;
-  static constexpr std::pair<WordSet, WordSet> kContraries[] = {
-      {WordSet::kGreat, WordSet::kSlight}, {WordSet::kAged, WordSet::kRecent}, {WordSet::kDry, WordSet::kWet}};
+  static constexpr std::pair<WordSet, WordSet> kContraries[] = {{WordSet::kGreat, WordSet::kSlight}, {WordSet::kAged, WordSet::kRecent}};
   return has_other_color(wanted, item) || std::ranges::any_of(kContraries, [&](const auto& pair) {
            return (says_any(wanted, pair.first) && says_any(item, pair.second) && !says_any(item, pair.first)) ||
                   (says_any(wanted, pair.second) && says_any(item, pair.first) && !says_any(item, pair.second));

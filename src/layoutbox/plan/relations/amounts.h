@@ -6,7 +6,7 @@
 
 namespace layoutbox::offline {
 
-// "books on the desk" are three, "lots of mugs" six, as a person would draw them; what comes in twos (lamps, pillows) stays two, and so
+// "books on the desk" are three, "lots of mugs" six, as a person would draw them; what comes in twos (lamps, speakers) stays two, and so
 // does what its carrier has no room for.
 void settle_amounts(const Lexicon& lexicon, Document& document);
 

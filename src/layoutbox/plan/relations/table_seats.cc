@@ -202,14 +202,14 @@ class TableSeats {
     if (std::ranges::any_of(Groups::builtin().companions, goes_with)) builder_.grow(m, static_cast<int>(before.items.size()));
   }
 
-  // "a round table, four microphones, four swivel chairs": at the one table that is named, where each would need a desk of its own;
-  // "two long tables with lamps, wooden chairs": as many as they take.
   std::vector<int> seats_at(const Mention& table) const {
     std::vector<int> placed = links_.placed_by(table, kAnyLink);
     std::erase_if(placed, [&](int m) { return !names_seat(mention(m)); });
     return placed;
   }
 
+  // "a round table, four microphones, four swivel chairs": at the one table that is named, where each would need a desk of its own;
+  // "two long tables with lamps, wooden chairs": as many as they take.
   void gather_loose(int seats) {
     const NounPhrase& noun = mention(seats).noun;
     constexpr std::size_t kGroup = 3;
