@@ -27,6 +27,8 @@ struct Decor {
   bool colors_said = false;      // the accents are the text's own
   bool scheme_walls = false;     // what colours the walls have is said of the whole room alone
   bool woods_said = false;       // the woods are the text's own
+  std::optional<Color> paint;    // of furniture of which nothing was said, where the text has a neutral colour for the room
+  std::optional<Color> feature;  // of the one wall that has the strong colour of a room whose others are neutral
   bool all = false;              // the furniture as well has these colours and woods, where nothing was said of it
   std::string cases;             // what lies in glass cases of which nothing was said; empty: nothing
   std::string shelves;           // what stands on a shelf of which nothing was said ("goods", "towels"); empty: books

@@ -64,6 +64,25 @@ void add_shades(std::vector<Color>& said) {
   said.push_back(gray ? mixed(color, {0.75, 0.73, 0.69}, 0.2) : calm_colors().front());
 }
 
+// White, cream and black are what furniture is painted; a grey or a beige leaves it of wood.
+bool is_paint(const Color& color) {
+  constexpr double kWhite = 0.84, kTinge = 0.17, kBlack = 0.2, kHardly = 0.08;
+  return (brightness(color) > kWhite && chroma_of(color) < kTinge) || (brightness(color) < kBlack && chroma_of(color) < kHardly);
+}
+
+// "Teal and white": the furniture is white, cloth and one wall are teal.
+void part_neutral(Decor& decor, std::vector<Color>& said) {
+  constexpr double kStrong = 0.2, kDeep = 0.6;  // chroma, brightness
+  const auto neutral = std::ranges::min_element(said, {}, [](const Color& c) { return is_paint(c) ? chroma_of(c) : 1; });
+  if (neutral == said.end() || !is_paint(*neutral)) return;
+  if (!decor.woods_said) decor.paint = *neutral;
+  const bool strong = std::ranges::any_of(said, [](const Color& c) { return chroma_of(c) > kStrong; });
+  if (!strong) return;
+  said.erase(neutral);
+  const auto deep = std::ranges::find_if(said, [](const Color& c) { return chroma_of(c) > kStrong && brightness(c) < kDeep; });
+  if (deep != said.end()) decor.feature = *deep;
+}
+
 // The first of those that is not banned, by its own colour; the usual one where all are.
 std::string not_banned(const std::string& usual, const Json& others, std::span<const Color> banned) {
   const auto is_out = [&](const std::string& name) {
@@ -192,6 +211,7 @@ void take_room_look(Decor& decor, RoomLook said, const std::string& kind, bool d
     decor.wall = dark ? mixed(said.colors.front(), decor.wall, kDarkened) : wall_of(said.colors);
     if (lists(decor_data().at("colored_fronts").get<std::string>(), kind))
       decor.parts.emplace("fronts", PartLook{{said.colors.front()}, nullptr});
+    part_neutral(decor, said.colors);
     add_shades(said.colors);
     decor.accents = std::move(said.colors);
     decor.colors_said = true;

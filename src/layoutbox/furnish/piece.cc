@@ -200,6 +200,12 @@ bool Piece::takes_room_color(const NamedSurface& surface) const {
   return decor_.all && decor_.colors_said && !wish_.color && own_ == nullptr && (surface.soft() || (wood && !decor_.woods_said));
 }
 
+// "Pink and white": furniture is white, of which nobody said more.
+bool Piece::takes_room_paint(const NamedSurface& surface) const {
+  const bool wood = surface.kind == "wood" && !surface.tint;
+  return decor_.paint && !wish_.color && own_ == nullptr && (wood || surface.surface.name == "lacquer");
+}
+
 Surface Piece::asked(std::string_view usual, bool with_color) const {
   const NamedSurface& like = named_surface(usual);
   const NamedSurface* fitting = wish_.fitting(like);
@@ -220,6 +226,7 @@ Surface Piece::asked(std::string_view usual, bool with_color) const {
   }
   const NamedSurface& chosen = fitting != nullptr ? *fitting : like;
   if (said.empty() && takes_room_color(chosen)) return colored(chosen, accent());
+  if (said.empty() && takes_room_paint(chosen)) return colored(chosen, *decor_.paint);
   if (chosen.surface.name == "leather" && decor_.leather && !color_asked()) return colored(chosen, *decor_.leather);
   Surface surface = chosen.surface;
   if (!with_color) {

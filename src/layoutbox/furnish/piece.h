@@ -123,6 +123,7 @@ class Piece {
   std::string_view wanted(std::string_view name) const;
   int look_surface(const PartLook& look, std::string_view usual);
   bool takes_room_color(const NamedSurface& surface) const;
+  bool takes_room_paint(const NamedSurface& surface) const;
   Surface asked(std::string_view usual, bool with_color) const;
 
   const PlacedObject& object_;

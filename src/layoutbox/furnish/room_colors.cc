@@ -86,36 +86,38 @@ ColorScheme scheme_of_clause(std::string_view clause, bool opens) {
   return said;
 }
 
-// The colours that stand before the room's own name: "a blue and white bedroom", "my daughter wants a pink and grey room".
-std::vector<Color> colors_before_room(const std::vector<std::string>& words) {
+// The looks that stand before the room's own name: "a blue and white bedroom", "my daughter wants a pink and grey room", "a black and gold
+// dining room".
+ColorScheme looks_before_room(const std::vector<std::string>& words) {
   for (std::size_t at = 0; at < words.size(); ++at) {
     if (!is_room_word(words[at])) continue;
-    std::size_t from = at;
+    std::size_t from = words[at] == "room" && at > 0 && !is_look_word(words[at - 1]) ? at - 1 : at;  // "dining room"
+    const std::size_t name = from;
     while (from > 0 && (is_look_word(words[from - 1]) || is_color_word(words[from - 1]))) --from;
     std::string said;
-    for (std::size_t i = from; i < at; ++i) said += words[i] + " ";
+    for (std::size_t i = from; i < name; ++i) said += words[i] + " ";
     ColorScheme scheme = only_looks(said);
-    if (scheme.woods.empty() && scheme.metal.empty() && !scheme.colors.empty()) return std::move(scheme.colors);
+    if (!scheme.colors.empty()) return scheme;
   }
   return {};
 }
 
 // Colours that are no thing's: "in soft greens", "earth tones", and those before the room's own name.
-std::vector<Color> theme_of_clause(std::string_view clause, bool opens) {
+ColorScheme theme_of_clause(std::string_view clause, bool opens) {
   const nlohmann::json& themes = decor_data().at("color_themes");
   const std::vector<std::string> words = words_of(clause);
-  std::vector<Color> colors;
+  ColorScheme theme;
   std::string before;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string pair = i + 1 < words.size() ? words[i] + " " + words[i + 1] : "";
     for (const std::string& said : {pair, words[i]}) {
       if (!themes.contains(said) || before == "of" || is_banned_at(words, i)) continue;
-      for (const nlohmann::json& name : themes.at(said)) colors.push_back(*read_wish(before + " " + name.get<std::string>()).color);
+      for (const nlohmann::json& name : themes.at(said)) theme.colors.push_back(*read_wish(before + " " + name.get<std::string>()).color);
       break;
     }
     before = words[i];
   }
-  return colors.empty() && opens ? colors_before_room(words) : colors;
+  return theme.colors.empty() && opens ? looks_before_room(words) : theme;
 }
 
 void append(ColorScheme& all, const ColorScheme& some) {
@@ -132,7 +134,7 @@ ColorScheme room_scheme(std::string_view prompt) {
     const std::size_t end = std::min(prompt.find_first_of(".;:!?\n", at), prompt.size());
     const std::string_view clause = prompt.substr(at, end - at);
     ColorScheme said = scheme_of_clause(clause, at == 0);
-    if (said.size() == 0) said.colors = theme_of_clause(clause, at == 0);
+    if (said.size() == 0) said = theme_of_clause(clause, at == 0);
     append(all, said);
     at = end + 1;
   }

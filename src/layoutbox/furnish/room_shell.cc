@@ -113,8 +113,32 @@ double mitre(Vec2 along, double own, Vec2 next_along, double next) {
   return std::clamp(reach, -4 * own, 4 * own);
 }
 
+// How much of a wall stands behind furniture, in m².
+double furnished(const Layout& layout, const Wall& wall) {
+  constexpr double kAt = 0.12;  // m
+  const WallFrame frame(wall);
+  double area = 0;
+  for (const PlacedObject& object : layout.objects) {
+    if (object.mount != Mount::kFloor) continue;
+    const double turn = radians_from_degrees(object.rotation_deg - frame.rotation_deg);
+    const double width = m_from_mm(object.size.width), depth = m_from_mm(object.size.depth);
+    const double reach = 0.5 * (std::abs(width * std::sin(turn)) + std::abs(depth * std::cos(turn)));
+    const kit::Vec2 at = frame.local({m_from_mm(object.position[0]), m_from_mm(object.position[1])}, 0);
+    if (at.x < 0 || at.x > frame.length || std::abs(at.y - reach) > kAt) continue;
+    area += (std::abs(width * std::cos(turn)) + std::abs(depth * std::sin(turn))) * m_from_mm(object.size.height);
+  }
+  return area;
+}
+
+// The wall of a colour of its own: the one that most of the furniture stands at.
+bool is_feature(const Layout& layout, const Wall& wall) {
+  const auto most = std::ranges::max_element(layout.room.walls, {}, [&](const Wall& w) { return furnished(layout, w); });
+  return most->id == wall.id;
+}
+
 // What a wall is of: as asked, else as the room's look has it.
-Surface wall_surface(const Layout& layout, const Decor& decor, const std::string& asked) {
+Surface wall_surface(const Layout& layout, const Decor& decor, const Wall& wall) {
+  const std::string& asked = wall.material.empty() ? layout.room.wall_material : wall.material;
   const SurfaceWish wish = read_wish(asked);
   const bool of_scheme = decor.scheme_walls && decor.accents.size() > 1 && wish.materials.empty() && wish.color &&
                          std::ranges::find(decor.accents, *wish.color) != decor.accents.end();
@@ -123,7 +147,8 @@ Surface wall_surface(const Layout& layout, const Decor& decor, const std::string
     const Surface usual = surface_for(layout, decor.wall_finish, "tiles", false);
     return decor.colors_said && usual.texture == "tiles" ? colored(named_surface(usual.name), decor.wall) : usual;
   }
-  return colored(named_surface("plaster"), decor.wall);
+  const bool feature = decor.feature && is_feature(layout, wall);
+  return colored(named_surface("plaster"), feature ? *decor.feature : decor.wall);
 }
 
 void add_wall(const Layout& layout, const Catalog& catalog, const Decor& decor, std::size_t index, Palette& palette, Model& model) {
@@ -151,11 +176,10 @@ void add_wall(const Layout& layout, const Catalog& catalog, const Decor& decor, 
     skirting = left.empty() ? std::vector<std::pair<double, double>>{{last.second, last.second}} : left;
   }
   Node node = frame.node(wall.id, NodeKind::kWall);
-  const std::string& asked = wall.material.empty() ? layout.room.wall_material : wall.material;
   // The end at the start is the mirror image of the one at the end.
   const double at_end = mitre(frame.along, frame.thickness, after.along, after.thickness);
   const double at_start = mitre({-frame.along.x, frame.along.y}, frame.thickness, {-before.along.x, before.along.y}, before.thickness);
-  const Surface surface = wall_surface(layout, decor, asked);
+  const Surface surface = wall_surface(layout, decor, wall);
   Mesh body = kit::pierced_slab(frame.length, -kSlab, height, -frame.thickness, 0, holes, at_start, at_end);
   if (!roof.lines.empty()) body = cut_under(std::move(body), roof.lines, frame.thickness);
   if (surface.texture == "planks") {  // boards stand upright

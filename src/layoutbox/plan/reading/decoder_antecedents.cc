@@ -145,8 +145,9 @@ std::vector<Decoder::Candidate> Decoder::antecedents(const State& state, Referen
   };
   const bool plural = noun != nullptr && (noun->plural || noun->kind == NounKind::kMember || noun->determiner == Determiner::kBoth);
   const bool that = noun != nullptr && one_of(noun->head, {"that", "this", "those", "these"});  // what was named last
+  // "two carts on its right, and a lamp over it", "on it are jars, and under it a bin": the same one both times.
   if (noun != nullptr && !noun->head.empty() && noun->kind == NounKind::kPronoun && state.it != kNobody && !plural && !that)
-    trial(state.it, 0.6, false);
+    trial(state.it, noun->head == "it" ? -weight::kNamedOnceMore : 0.6, false);
   if (that) named_last(state, trial);
   if (that && state.roots.empty() && !before_.roots.empty()) trial(referent_of_mention(before_.roots.back()), -weight::kNamedAgain, false);
   // "a mirror above the sink, a stool beside it, a mat in front": of what the place before was by.
@@ -295,9 +296,9 @@ bool Decoder::placed_by_before(const State& state, int u) const {
 // Of the sentences before.
 void Decoder::text_antecedents(const State& state, const PhraseSenses* senses, const Trial& trial, double order) const {
   const bool lies = senses != nullptr && says(*senses, &RelationTraits::rests);
-  // "Opposite the shower is a sink. Over it …": the sink; but "in front of it" as the place before.
+  // "Opposite the shower is a sink. Over it …", "… It holds …": the sink; but "in front of it" as the place before.
   const bool over = senses != nullptr && (says(*senses, RelationType::kAbove) || says(*senses, RelationType::kUnder));
-  if (before_.fronted >= 0 && !lies && !over && state.roots.empty() && state.frontier.empty())
+  if (before_.fronted >= 0 && senses != nullptr && !lies && !over && state.roots.empty() && state.frontier.empty())
     trial(referent_of_mention(before_.fronted), 0, false);
   // "On it lie a map and a pen; a lantern swings above": over what carries them
   if (before_.fronted >= 0 && over && state.roots.size() <= 1) trial(referent_of_mention(before_.fronted), order + 1, false);

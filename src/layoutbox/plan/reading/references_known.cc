@@ -1,5 +1,6 @@
 // Which of the things that were named a noun phrase may mean.
 #include <algorithm>
+#include <limits>
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/trait_table.h"
@@ -79,6 +80,11 @@ bool is_contrary(const NounPhrase& wanted, const NounPhrase& item) {
          });
 }
 
+// "an office chair … behind that chair": the one that was named last, whatever its whole name.
+bool points(const Document& document, const NounPhrase& noun) {
+  return noun.first < document.tokens.size() && one_of(document.tokens[noun.first].text, {"that", "this"});
+}
+
 // Said of somebody's, and the item is not his.
 bool is_anothers(const NounPhrase& wanted, const NounPhrase& item) {
   if (wanted.owner_word.empty()) return false;
@@ -147,13 +153,14 @@ int References::fit(const NounPhrase& wanted, const NounPhrase& item) const {
 
 std::vector<int> References::known(const NounPhrase& noun) const {
   // The best fitting kind; of equals the latest mention. Attributes that were said of it count.
-  int best_score = 0;
+  int best_score = std::numeric_limits<int>::min();
   std::vector<int> found;
+  const bool pointed = !noun.is_plural() && points(document_, noun);
   for (std::size_t i = document_.items.size(), looked = 0; i-- > 0 && looked < kReach; ++looked) {
     const NounPhrase& item = document_.items[i].noun;
     const int kind = fit(noun, item);
     if (kind == 0) continue;
-    const int score = kind * 10 + likeness(noun, item) + (noun.head == item.head ? 1 : 0) + qualities_shared(noun, item);
+    const int score = (pointed ? 0 : kind * 10) + likeness(noun, item) + (noun.head == item.head ? 1 : 0) + qualities_shared(noun, item);
     const bool all = noun.is_plural() || noun.determiner == Determiner::kEach || noun.ordinal != 0;
     if (!all && score == best_score) continue;
     if (score < best_score) continue;

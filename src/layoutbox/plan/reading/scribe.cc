@@ -66,6 +66,11 @@ void Scribe::end_sentence() {
       if (!references.empty() && is_thing(references.front()) && !own.inverse) fronted = references.front();
     }
   }
+  // "Guests may sit at a table by the window": of the table
+  for (std::size_t u = 0; u < sentence_->size() && roots.empty(); ++u) {
+    const int m = mention_[u];
+    if (unit(static_cast<int>(u)).kind == UnitKind::kNoun && is_thing(m) && mention_at(m).introduces) roots.push_back(m);
+  }
   if (!roots.empty()) so_far_.opening = -1;
   so_far_.fronted = fronted;
   so_far_.sided = -1;
