@@ -124,6 +124,7 @@ class NounPhraseReader {
   bool plural_at(std::size_t i) const;
   bool opens_at(std::size_t i) const;
   Match without_verb(const Match& match) const;
+  bool stands_on_table(const Match& match) const;
   Match without_attribute(const Match& match) const;
   bool ends_before(const Match& match) const;
   bool read_listed(const Match& match, bool noun_before);

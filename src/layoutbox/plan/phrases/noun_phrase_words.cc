@@ -113,6 +113,18 @@ bool NounPhraseReader::opens_at(std::size_t i) const {
                                 lexicon_.is(tokens_[i], WordClass::kNumber) || lexicon_.is(tokens_[i], WordClass::kDefinite));
 }
 
+// "two monitors and a keyboard stand on every desk": no stand, which would be on the floor.
+bool NounPhraseReader::stands_on_table(const Match& match) const {
+  const Meaning* stand = meaning_of(match, WordClass::kObject);
+  const std::size_t on = i_ + match.length, thing = on + 2;
+  if (match.plural || phrase_.first == 0 || !lexicon_.is(tokens_[phrase_.first - 1], WordClass::kAnd) || thing >= tokens_.size() ||
+      tokens_[on].text != "on" || stand == nullptr || stand->entry == nullptr || stand->entry->mount != Mount::kFloor)
+    return false;
+  const Match carrier = lexicon_.find(tokens_, thing);
+  const Meaning* host = meaning_of(carrier, WordClass::kObject);
+  return host != nullptr && host->entry != nullptr && host->entry->top_carries && lacks_verb(thing);
+}
+
 // "a plant stands in the corner" is no plant stand.
 Match NounPhraseReader::without_verb(const Match& match) const {
   const std::size_t final = i_ + match.length - 1;
@@ -133,7 +145,7 @@ Match NounPhraseReader::without_verb(const Match& match) const {
   const bool stands_there = opens_clause && phrase_.count == 0 && !counted_ && place_at(i_ + match.length) && lacks_verb(i_ + match.length);
   const bool singular_subject = match.plural && (one || (stands_there && phrase_.determiner != Determiner::kBoth));
   const bool plural_subject = !match.plural && plural_at(i_ + match.length - 2) && !plural_at(i_ + match.length - 1);  // "speakers stand"
-  if (!singular_subject && !plural_subject) return match;
+  if (!singular_subject && !plural_subject && !stands_on_table(match)) return match;
   const Match subject = lexicon_.find(tokens_.first(i_ + match.length - 1), i_);
   return one || plural_subject || has(subject, WordClass::kObject) ? subject : match;  // "the music stands near the piano" has no other
 }

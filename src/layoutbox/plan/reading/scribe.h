@@ -47,6 +47,7 @@ class Scribe {
   int make_opposed(int u, const NounPhrase& noun);
   int not_itself(int u, const NounPhrase& noun, int mention);
   int copy_of(int mention, const NounPhrase& said);
+  int more_of(int mention, const NounPhrase& said);
   bool same_as_placed(int u) const;
   std::vector<int> pair_named_last(int u, const std::vector<int>& placed) const;
   std::vector<int> two_alike(int u, bool by_name) const;

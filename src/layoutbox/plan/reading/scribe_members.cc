@@ -103,7 +103,14 @@ int Scribe::make_more(int u, const NounPhrase& noun) {
     }
   }
   if (kind.empty() || references_.has_left(kind.front(), noun.count)) return -1;
-  return copy_of(kind.front(), noun);
+  return more_of(kind.front(), noun);
+}
+
+// "two chairs at its sides and two at its ends": "every chair" is of the four.
+int Scribe::more_of(int mention, const NounPhrase& said) {
+  const int more = copy_of(mention, said);
+  references_.join_group(more, mention);
+  return more;
 }
 
 // As many more of the mention's kind as the words say.
@@ -193,7 +200,7 @@ int Scribe::make_member(int u, const NounPhrase& noun) {
   if (const int more = make_more(u, noun); more >= 0) return more;
   // "two bunks on the left wall, two more on the right"
   const std::vector<int> kind = says_one_of(document_, noun.last, {"more"}) ? mentions_of(reading(u).meant) : std::vector<int>{};
-  if (noun.count > 0 && !kind.empty() && is_thing(kind.front())) return copy_of(kind.front(), noun);
+  if (noun.count > 0 && !kind.empty() && is_thing(kind.front())) return more_of(kind.front(), noun);
   if (reading(u).meant == kNobody || same_as_placed(u)) {
     if (const int opposed = make_opposed(u, noun); opposed >= 0) return opposed;
   }

@@ -126,6 +126,12 @@ double SenseScore::of_part(const NounPhrase& part, const NounPhrase& owner) cons
     const bool flat = owner.entry != nullptr && owner.entry->top_carries && mount_of(owner) == Mount::kFloor && !owner.entry->thin;
     return flat ? 0.8 : weight::kNotItsPart / 2;
   }
+  // "at its right end": of a bench, not of a pot on it.
+  if (head == "end") {
+    constexpr Mm kLong = 800;
+    const bool is_long = owner.entry == nullptr || std::max(owner.entry->size.usual.width, owner.entry->size.usual.depth) >= kLong;
+    return is_long ? 0.5 : weight::kNotItsPart;
+  }
   if (one_of(head, {"cushion", "armrest", "backrest"})) return is_seat(catalog_, owner) ? weight::kOwnPart : weight::kNotItsPart;
   if (one_of(head, {"headboard", "pillow", "mattress"}))
     return one_of(owner.head, {"bed", "daybed", "crib"}) ? weight::kOwnPart : weight::kNotItsPart;
