@@ -128,9 +128,12 @@ class Furnisher {
                        [&](const NounPhrase& n) { return n.entry != nullptr && catalog_.is_a(category, n.entry->id); });
   }
 
+  // A breakfast bar is no worktop at the wall.
   bool is_there(const CatalogEntry& entry) const {
-    return std::any_of(scene_.objects.begin(), scene_.objects.end(),
-                       [&](const SceneObject& o) { return catalog_.is_a(o.category, entry.id); });
+    return std::ranges::any_of(scene_.objects, [&](const SceneObject& o) {
+      const CatalogEntry* own = catalog_.find(o.category);
+      return catalog_.is_a(o.category, entry.id) && (own == nullptr || !entry.is(Trait::kKitchenRun) || own->is(Trait::kKitchenRun));
+    });
   }
 
   // A chair by a bistro table: that is a table.

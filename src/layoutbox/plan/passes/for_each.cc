@@ -87,7 +87,10 @@ void share_out_for_each(const Lexicon& lexicon, Document& document) {
   for (std::size_t k = 1; k + 1 < chunks.size() && !is_set(document.stop); ++k) {
     const NounPhrase& whom = chunks[k + 1].noun;
     const bool person = whom.kind == NounKind::kMember || (lexicon.is_person(whom.head) && is_thing(chunks[k - 1]));
-    const bool for_each = chunks[k].kind == ChunkKind::kPurpose && document.tokens[chunks[k].first].text == "for" &&
+    // "a chair for each child": of a seat it may be a place
+    const bool says_for =
+        chunks[k].kind == ChunkKind::kPurpose || (chunks[k].kind == ChunkKind::kRelation && whom.kind != NounKind::kMember);
+    const bool for_each = says_for && document.tokens[chunks[k].first].text == "for" && chunks[k].last == chunks[k].first + 1 &&
                           chunks[k + 1].kind == ChunkKind::kNoun && person && whom.determiner == Determiner::kEach && !whom.of;
     int people = for_each ? people_before(lexicon, chunks, k) : 0;
     if (for_each && people < 2 && whom.kind != NounKind::kMember) people = sleepers(chunks);

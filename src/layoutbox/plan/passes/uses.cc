@@ -220,13 +220,30 @@ class UseReader : public TokenReader {
   bool names_others(std::size_t i, std::size_t end) const {
     for (std::size_t at = 0; at < tokens_.size(); ++at) {
       if (at >= i && at < end) continue;
-      if (!skip_[at] && lexicon_.find(tokens_, at, WordClass::kObject).length > 0) return true;
+      if (!skip_[at] && names_thing(at)) return true;
+    }
+    return false;
+  }
+
+  bool names_thing(std::size_t at) const {
+    if (lexicon_.find(tokens_, at, WordClass::kObject).length > 0) return true;
+    Token single = tokens_[at];
+    single.text = singular_of(single.text);
+    return lexicon_.find({&single, 1}, 0, WordClass::kObject).length > 0;
+  }
+
+  // "an office … somewhere to nap": what no such room has of itself.
+  bool is_extra(const Use& use) const {
+    const std::string_view here = room();
+    if (here.empty() || !use.row.contains("rooms")) return false;
+    for (const WordList::Member kind : use.row.at("rooms")) {
+      if (kind.key == here) return true;
     }
     return false;
   }
 
   void write(std::size_t i, const Use& use) {
-    if (!names_others(i, use.end)) return;
+    if (!names_others(i, use.end) && !is_extra(use)) return;
     std::size_t at = i;
     const bool served = is_served(use, i);
     // "for her toys and books": one thing for each, where the words suffice.

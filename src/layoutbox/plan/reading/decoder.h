@@ -207,7 +207,7 @@ class Decoder {
   double topics_before(const State& state, const NounPhrase* noun, const Trial& trial, double order) const;
   double references_before(const State& state, const NounPhrase* noun, const Trial& trial, double order) const;
   bool placed_by_before(const State& state, int u) const;
-  void text_antecedents(const State& state, const PhraseSenses* senses, const Trial& trial, double order) const;
+  void text_antecedents(const State& state, const PhraseSenses* senses, const NounPhrase* noun, const Trial& trial, double order) const;
   double by_small_score(const State& state, const NounPhrase& target, Referent referent, const PhraseSenses& senses) const;
   double before_other_score(const State& state, const NounPhrase& target, Referent referent, const PhraseSenses& senses) const;
   bool is_carried(const State& state, Referent referent) const;

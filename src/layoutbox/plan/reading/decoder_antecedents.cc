@@ -166,7 +166,7 @@ std::vector<Decoder::Candidate> Decoder::antecedents(const State& state, Referen
   const std::vector<int> list = subject >= 0 ? list_of(state, subject, -1) : std::vector<int>{};
   if (std::any_of(all.begin(), all.end(), [&](const Candidate& own) { return std::ranges::find(list, own.referent) == list.end(); }))
     order += weight::kSentenceBefore;
-  text_antecedents(state, senses, trial, order);
+  text_antecedents(state, senses, noun, trial, order);
   std::stable_sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
   if (all.size() > kChoices) all.resize(kChoices);
   return all;
@@ -294,11 +294,13 @@ bool Decoder::placed_by_before(const State& state, int u) const {
 }
 
 // Of the sentences before.
-void Decoder::text_antecedents(const State& state, const PhraseSenses* senses, const Trial& trial, double order) const {
+void Decoder::text_antecedents(const State& state, const PhraseSenses* senses, const NounPhrase* noun, const Trial& trial,
+                               double order) const {
   const bool lies = senses != nullptr && says(*senses, &RelationTraits::rests);
+  const bool spoken_of = senses == nullptr && noun != nullptr && noun->kind == NounKind::kPronoun;
   // "Opposite the shower is a sink. Over it …", "… It holds …": the sink; but "in front of it" as the place before.
   const bool over = senses != nullptr && (says(*senses, RelationType::kAbove) || says(*senses, RelationType::kUnder));
-  if (before_.fronted >= 0 && senses != nullptr && !lies && !over && state.roots.empty() && state.frontier.empty())
+  if (before_.fronted >= 0 && !spoken_of && !lies && !over && state.roots.empty() && state.frontier.empty())
     trial(referent_of_mention(before_.fronted), 0, false);
   // "On it lie a map and a pen; a lantern swings above": over what carries them
   if (before_.fronted >= 0 && over && state.roots.size() <= 1) trial(referent_of_mention(before_.fronted), order + 1, false);

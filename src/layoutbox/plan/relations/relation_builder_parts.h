@@ -81,6 +81,7 @@ class RelationBuilder : private RelationWriter {
                      const NounPhrase& neighbour);
   std::vector<int> by_tables(const std::vector<int>& targets) const;
   [[nodiscard]] std::vector<int> by_shares(const std::vector<int>& targets) const;
+  void leave_room_for_knees(const std::vector<int>& seats);
   void add_each_other(const Link& link, const std::vector<int>& said);
   bool are_desks(const std::vector<int>& items) const;
   void add_island(const Link& link, const std::vector<int>& members);
@@ -131,6 +132,8 @@ class RelationBuilder : private RelationWriter {
   bool add_at_sides(const Link& link, const PhraseSense& sense, const std::vector<int>& targets, int host);
   void add_shares(const Link& link, const PhraseSense& sense, const std::vector<int>& targets, const std::vector<int>& references);
   // Two of a kind that stand by beds (sofas …) "beside" one stand on either side of it.
+  static bool is_mirror(const NounPhrase& noun);
+  bool add_before_mirrors(const Link& link, const Mention& target, const std::vector<int>& references);
   bool flanks(const NounPhrase& thing, const NounPhrase& host) const;
   // What one sees into: things that it has are in it; on others they stand on top.
   bool holds_inside(const NounPhrase& host) const;
@@ -264,6 +267,7 @@ class RelationBuilder : private RelationWriter {
   void sit_at_windows();
   void park_cars();
   void sit_before_mirrors();
+  void sit_at_what_they_face(const std::vector<std::string>& seats);
   void stand_under_counters();
   bool is_only_table(std::size_t index) const;
   // How a thing is held where the relations say otherwise than its kind.

@@ -25,6 +25,10 @@ void RelationBuilder::stand_before_middles() {
     if ((relation.type == R::kInFrontOf || at_back) && is_seat(catalog_, thing) && is_table(catalog_, other) &&
         !one_of(thing.head, {"sofa", "couch", "loveseat"}) && !scene_.relations[r].parameters.max)
       scene_.relations[r].parameters.max = measures().seat_at_hand;
+    // … and in sight of its mirror.
+    constexpr Mm kAtMirror = 900;
+    if (relation.type == R::kInFrontOf && is_seat(catalog_, thing) && is_mirror(other) && !scene_.relations[r].parameters.max)
+      scene_.relations[r].parameters.max = kAtMirror;
     // Both at walls: across the room from each other, as far as that is in most rooms.
     constexpr Mm kAcrossTheRoom = 3500;
     const auto stands_at_wall = [&](const SceneObject& object) {

@@ -86,6 +86,13 @@ std::optional<PhraseSense> RelationBuilder::sense_to_each_other(const Link& link
   return sense;
 }
 
+// Between rows of seats that face each other one walks to one's own.
+void RelationBuilder::leave_room_for_knees(const std::vector<int>& seats) {
+  constexpr Mm kToPass = 1100;
+  add_habit(R::kDistance, {id(seats.front())}, {id(seats[seats.size() / 2])}, kTogether, "between seats that face each other one can pass");
+  scene_.relations.back().parameters.min = kToPass;
+}
+
 void RelationBuilder::add_each_other(const Link& link, const std::vector<int>& said) {
   if (said.size() < 2 || link.senses.empty()) return;
   const std::vector<int> targets = by_tables(said);
@@ -99,6 +106,7 @@ void RelationBuilder::add_each_other(const Link& link, const std::vector<int>& s
     for (std::size_t t = 0; t < targets.size(); ++t)
       add(link, sense->type, {id(targets[t])}, {id(targets[(t + targets.size() / 2) % targets.size()])}, *sense);
     if (other.rows == 0 && are_desks(targets)) add_island(link, targets);
+    if (is_seat(catalog_, other) && targets.size() % 2 == 0) leave_room_for_knees(targets);
     return;
   }
   const bool back_to_back =

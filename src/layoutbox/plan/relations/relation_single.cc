@@ -93,6 +93,17 @@ bool RelationBuilder::add_before_seats(const Link& link, const PhraseSense& sens
   return laid == target.items.size();
 }
 
+// "a mirror in front of each chair": who sits there looks into it.
+bool RelationBuilder::add_before_mirrors(const Link& link, const Mention& target, const std::vector<int>& references) {
+  if (!is_seat(catalog_, noun_of_item(references.front())) || target.items.size() != references.size()) return false;
+  for (std::size_t m = 0; m < target.items.size(); ++m) {
+    add(link, R::kOnWall, {id(target.items[m])}, {});
+    add(link, R::kInFrontOf, {id(references[m])}, {id(target.items[m])});
+    add(link, R::kFacing, {id(references[m])}, {id(target.items[m])});
+  }
+  return true;
+}
+
 // "two seats at a panel of dials" on the wall, as at a desk.
 bool RelationBuilder::is_worked_at(const NounPhrase& noun) const {
   return mount_of(noun) == Mount::kWall && noun.entry != nullptr && !noun.entry->used_sides.empty() && !noun.entry->is(Trait::kCurtain) &&
@@ -177,13 +188,15 @@ void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Ment
       add_as_many(link, sense, target, references))
     return;
   // "A mirror wall in front" of mats: on the wall there, not on the floor before them.
-  if (sense.type == R::kInFrontOf && mount_of(target.noun) == Mount::kWall && target.noun.entry != nullptr &&
-      target.noun.entry->is(Trait::kMirror)) {
+  if (sense.type == R::kInFrontOf && mount_of(target.noun) == Mount::kWall && is_mirror(target.noun)) {
+    if (add_before_mirrors(link, target, references)) return;
     for (const int item : target.items) add(link, R::kOnWall, {id(item)}, {});
     return;
   }
   add_for_each(link, sense, target, references);
 }
+
+bool RelationBuilder::is_mirror(const NounPhrase& noun) { return noun.entry != nullptr && noun.entry->is(Trait::kMirror); }
 
 bool RelationBuilder::flanks(const NounPhrase& thing, const NounPhrase& host) const {
   if (thing.entry == nullptr || host.entry == nullptr) return false;
@@ -197,8 +210,8 @@ void RelationBuilder::add_look(const Link& link, R type, int item, int reference
     return one_of(n.head, WordSet::kScreens) || n.name.find("tv ") != std::string::npos || n.name.find("media") != std::string::npos;
   };
   const bool seat = is_seat(catalog_, thing);
-  const bool before =
-      (type == R::kInFrontOf || type == user_side(reference)) && ((seat && (is_table(catalog_, other) || screen(other))) || screen(thing));
+  const bool before = (type == R::kInFrontOf || type == user_side(reference)) &&
+                      ((seat && (is_table(catalog_, other) || screen(other) || is_mirror(other))) || screen(thing));
   if (!before && (type != R::kAlongSide || !seat)) return;
   Link look = link;
   look.concluded = true;

@@ -112,7 +112,7 @@ class FinishReader {
     noun.kind = (where ? where->floor : finish.where == "floor") ? NounKind::kFloor : NounKind::kWall;
     noun.determiner = indefinite || (where && where->one && !where->floor) ? Determiner::kIndefinite : Determiner::kNone;
     noun.head = noun.kind == NounKind::kFloor ? "floor" : "wall";
-    noun.name = where || finish.where != "both" ? noun.head : std::string(kWallsAndFloor);
+    noun.name = where || behind || finish.where != "both" ? noun.head : std::string(kWallsAndFloor);
     noun.attributes = {material};
     noun.attribute_classes = {WordClass::kMaterial};
     noun.plural = where ? where->all : !behind;
