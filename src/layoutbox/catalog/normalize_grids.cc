@@ -84,7 +84,7 @@ class GridSettler {
     const bool turned = told(grid, {RelationType::kFacing, RelationType::kSameOrientation});
     const SceneObject* first =
         grid.type != RelationType::kGrid || turned || grid.targets.empty() ? nullptr : scene_.find_object(grid.targets[0]);
-    if (first == nullptr || !grid.parameters.columns) return {};
+    if (first == nullptr || !grid.parameters.columns || grid.parameters.gap == Mm{0}) return {};  // desks that are pushed together
     const std::vector<std::string>& kinds = context_.catalog.entry_or_nearest(first->category).faces;
     const auto is_faced = [&](const SceneObject& object) {
       return !wall_of(object.id).empty() &&

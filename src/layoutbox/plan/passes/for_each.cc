@@ -81,17 +81,35 @@ void share_out_list(std::vector<Chunk>& chunks, std::size_t k, int people) {
   }
 }
 
+// "six desks with a chair for each child": at each of the desks that the sentence names.
+bool sit_at_each(Document& document, std::size_t k) {
+  for (std::size_t c = k; c-- > 0 && document.chunks[c].kind != ChunkKind::kStop;) {
+    const NounPhrase& desks = document.chunks[c].noun;
+    if (!is_thing(document.chunks[c]) || desks.entry == nullptr || !desks.entry->is(Trait::kDesk) || !desks.is_plural()) continue;
+    NounPhrase& whom = document.chunks[k + 1].noun;
+    const std::size_t first = whom.first, last = whom.last;
+    whom = desks;
+    whom.first = first, whom.last = last;
+    whom.determiner = Determiner::kEach;
+    whom.count = whom.rows = whom.clusters = whom.together = 0;
+    whom.plural = false;
+    return true;
+  }
+  return false;
+}
+
 // "for two girls: bed, desk and wardrobe for each": of everything that is listed as many as there are people.
 void share_out_for_each(const Lexicon& lexicon, Document& document) {
   std::vector<Chunk>& chunks = document.chunks;
   for (std::size_t k = 1; k + 1 < chunks.size() && !is_set(document.stop); ++k) {
     const NounPhrase& whom = chunks[k + 1].noun;
     const bool person = whom.kind == NounKind::kMember || (lexicon.is_person(whom.head) && is_thing(chunks[k - 1]));
-    // "a chair for each child": of a seat it may be a place
-    const bool says_for =
-        chunks[k].kind == ChunkKind::kPurpose || (chunks[k].kind == ChunkKind::kRelation && whom.kind != NounKind::kMember);
-    const bool for_each = says_for && document.tokens[chunks[k].first].text == "for" && chunks[k].last == chunks[k].first + 1 &&
-                          chunks[k + 1].kind == ChunkKind::kNoun && person && whom.determiner == Determiner::kEach && !whom.of;
+    const std::string& word = document.tokens[chunks[k].first].text;
+    // "a chair for each child": of a seat it is read as a place
+    const bool at_whom = chunks[k].kind == ChunkKind::kRelation && word == "at" && whom.kind != NounKind::kMember;
+    const bool for_whom = (chunks[k].kind == ChunkKind::kPurpose && word == "for") || at_whom;
+    const bool for_each = for_whom && chunks[k + 1].kind == ChunkKind::kNoun && person && whom.determiner == Determiner::kEach && !whom.of;
+    if (at_whom && for_each && sit_at_each(document, k)) continue;
     int people = for_each ? people_before(lexicon, chunks, k) : 0;
     if (for_each && people < 2 && whom.kind != NounKind::kMember) people = sleepers(chunks);
     if (people < 2) continue;
