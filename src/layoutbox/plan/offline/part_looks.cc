@@ -129,6 +129,19 @@ void share_matching_looks(std::vector<Chunk>& chunks) {
   }
 }
 
+// "A white wicker loveseat with two matching chairs": the look of what was named before.
+void match_looks(std::vector<Chunk>& chunks) {
+  const NounPhrase* before = nullptr;
+  for (Chunk& chunk : chunks) {
+    if (chunk.kind == ChunkKind::kStop) before = nullptr;
+    if (chunk.kind != ChunkKind::kNoun || chunk.noun.kind != NounKind::kObject) continue;
+    NounPhrase& noun = chunk.noun;
+    const bool matches = std::ranges::find(noun.attributes, "matching") != noun.attributes.end();
+    if (matches && before != nullptr && !has_look(noun)) give_look(*before, noun);
+    if (has_look(noun)) before = &noun;
+  }
+}
+
 // "A boy's room, blue and orange, with a bed": colors that are things as well.
 void pass_color_nouns(Document& document) {
   for (Chunk& chunk : document.chunks) {
@@ -148,6 +161,7 @@ void settle_part_looks(Document& document) {
   pass_color_nouns(document);
   PrintReader(document).run();
   share_matching_looks(document.chunks);
+  match_looks(document.chunks);
   NounPhrase* whole = nullptr;  // the thing whose parts are listed
   bool listing = false;
   for (Chunk& chunk : document.chunks) {

@@ -11,6 +11,7 @@
 #include "layoutbox/base/words.h"
 #include "layoutbox/plan/phrases/splice.h"
 #include "layoutbox/plan/phrases/token_reader.h"
+#include "layoutbox/plan/words/english.h"
 
 namespace layoutbox::offline {
 namespace {
@@ -25,7 +26,7 @@ class OwnerReader : public TokenReader {
       if (skip_[i]) continue;
       if (const std::string_view owner = owner_alone(i); !owner.empty())
         complete(i, owner);
-      else if (!mean_other_owner(i) && !mean_both_owners(i))
+      else if (!mean_persons_own(i) && !mean_other_owner(i) && !mean_both_owners(i))
         note_owned(i);
     }
     mark_contrasts();
@@ -96,9 +97,25 @@ class OwnerReader : public TokenReader {
                                                               "beneath", "between", "with", "than", "above", "below", "under", "against"});
   }
 
+  // "my armchair on one side and the wife's on the other": hers.
+  bool mean_persons_own(std::size_t i) {
+    if (i == 0 || !tokens_[i].glued || !is(i, {"'s", "is"})) return false;
+    const std::string& who = tokens_[i - 1].text;
+    const bool person = lexicon_.is_person(who) || word_form(who) == WordForm::kPerson;
+    if (!person || !(ends(i + 1) || is(i + 1, {"and"}) || lexicon_.find_phrase(tokens_, i + 1).length > 0)) return false;
+    const Owned* like = last_of("their", i, true);
+    if (like == nullptr) return false;
+    if (i > 1 && (lexicon_.is(tokens_[i - 2], WordClass::kDefinite) || is_owner(i - 2))) leave_out(i - 2, i - 1);
+    const std::string thing = like->thing;
+    owned_.push_back({"their", thing, i - 1});
+    tokens_[i - 1].text = "their";
+    tokens_[i].text = thing;
+    return true;
+  }
+
   // "hers has a lamp, the other one a clock": his, where there are two.
   bool mean_other_owner(std::size_t i) {
-    if (!are(i, {"the", "other"}) || owned_.empty() || owned_.back().at + kReach < i) return false;
+    if (!are(i, {"the", "other"}) || owned_.empty() || owned_.back().at + kReach < i || is_other_side(i)) return false;
     const std::size_t end = i + (is(i + 2, {"one"}) ? 3 : 2);
     const bool alone = ends(end) || is(end, {"a", "an", "there", "and"}) || lexicon_.is(tokens_[end], WordClass::kBe) ||
                        lexicon_.is(tokens_[end], WordClass::kHave) || lexicon_.is(tokens_[end], WordClass::kPlaceVerb);
@@ -111,6 +128,16 @@ class OwnerReader : public TokenReader {
     leave_out(i + 1, end);
     name(i, owner, thing);
     return true;
+  }
+
+  // "his chair on one side of the fire, hers on the other": side.
+  bool is_other_side(std::size_t i) const {
+    constexpr std::size_t kNear = 24;  // tokens
+    if (i == 0 || !is(i - 1, {"on", "at", "to"})) return false;
+    for (std::size_t at = i; at-- > 0 && at + kNear > i;) {
+      if (is(at, {"one"}) && is(at + 1, {"side", "end", "wall"})) return true;
+    }
+    return false;
   }
 
   // "Her bed is …, his …, and each has a lamp", "both have": each bed.

@@ -64,6 +64,7 @@ Scheme finish_after(const Lexicon& lexicon, const std::vector<Token>& tokens, st
   for (std::size_t length = 1; i < tokens.size() && length > 0; i += length) {
     length = lexicon.find(tokens, i, floor ? WordClass::kMaterial : WordClass::kColor).length;
     known |= length > 0;
+    if (length == 0 && floor && !known) length = lexicon.find(tokens, i, WordClass::kColor).length;  // "floor: red tiles"
     if (length == 0 && !known && is_shade(tokens[i])) length = 1;
     for (std::size_t w = i; w < i + length; ++w) said += (said.empty() ? "" : " ") + tokens[w].text;
   }
