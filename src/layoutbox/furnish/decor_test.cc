@@ -84,11 +84,24 @@ TEST(Decor, PicturesSuitTheRoom) {
 // A clause that names nothing but colours is about the whole room; colours of things are theirs alone.
 TEST(Decor, ColoursSaidOfTheRoomAreItsCloths) {
   const auto accents = [](const std::string& prompt) { return decor_of(room("bedroom", prompt), 1).accents; };
-  const Color pink = *read_wish("pink").color, white = *read_wish("white").color, pale = *read_wish("light blue").color;
-  EXPECT_EQ(accents("A girl's bedroom with a bed and a desk. Pink and white"), (std::vector<Color>{pink, white}));
-  EXPECT_EQ(accents("A nursery with a crib. Colours: light blue and white."), (std::vector<Color>{pale, white}));
+  const Color pink = *read_wish("pink").color, pale = *read_wish("light blue").color;
+  EXPECT_EQ(accents("A girl's bedroom with a bed and a desk. Pink and white").front(), pink);
+  EXPECT_EQ(accents("A nursery with a crib. Colours: light blue and white.").front(), pale);
   EXPECT_EQ(accents("A bedroom with a pink bed. There is a rug."), accents("A bedroom with a pink bed. There is a rug."));
   EXPECT_GT(accents("A bedroom with a pink bed and a white desk.").size(), 2U);
+}
+
+// "Teal and white": furniture is white, and one wall is teal.
+TEST(Decor, ANeutralColorSaidOfTheRoomIsWhatItsFurnitureIsPainted) {
+  const Color teal = *read_wish("teal").color, white = *read_wish("white").color, black = *read_wish("black").color;
+  const Decor clinic = decor_of(room("waiting_room", "A waiting room with eight chairs. Teal and white."), 1);
+  EXPECT_EQ(clinic.paint, white);
+  EXPECT_EQ(clinic.feature, teal);
+  EXPECT_EQ(clinic.accents.front(), teal);
+  EXPECT_EQ(decor_of(room("dining_room", "A black and gold dining room with a table."), 1).paint, black);
+  EXPECT_EQ(decor_of(room("bedroom", "A bedroom with a bed. Pastel pink and white."), 1).paint, white);
+  EXPECT_FALSE(decor_of(room("bedroom", "A bedroom with a bed. White and oak."), 1).paint.has_value());
+  EXPECT_FALSE(decor_of(room("bedroom", "A bedroom with a bed. Sage green and mustard."), 1).paint.has_value());
 }
 
 TEST(Decor, ShelvesHoldWhatTheirRoomOrTheirNameSays) {
@@ -164,7 +177,7 @@ TEST(Decor, ColorsOfTheWholeRoomAreSaidInThePluralOrBeforeItsName) {
     return decor_of(room("bedroom", text), 1).colors_said ? decor_of(room("bedroom", text), 1).accents : std::vector<Color>{};
   };
   EXPECT_EQ(said("A calm bedroom in soft greens with a bed and a rug.").front(), named("soft green"));
-  EXPECT_EQ(said("A blue and white bedroom with a bed."), (std::vector<Color>{named("blue"), named("white")}));
+  EXPECT_EQ(said("A blue and white bedroom with a bed.").front(), named("blue"));
   EXPECT_EQ(said("A bedroom with a bed. Warm earth tones.").size(), 5U);
   EXPECT_TRUE(said("A bedroom with a blue rug and a white bed.").empty());
   EXPECT_TRUE(said("A kitchen with a bowl of greens.").empty());
