@@ -105,6 +105,11 @@ TEST(Pictures, OfADinosaurBedroomAreNotThoseOfAPlainOne) {
             triangles_of(picture_in("A bedroom with a poster."), "poster"));
 }
 
+TEST(Pictures, TapestriesShowTheirSubjectAsWell) {
+  EXPECT_NE(looks(picture_of("tapestry", "unicorn tapestry")), looks(picture_of("tapestry", "tapestry")));
+  EXPECT_NE(looks(picture_of("tapestry", "macrame wall hanging")), looks(picture_of("tapestry", "tapestry")));
+}
+
 TEST(Pictures, WhatADataRowNamesIsDrawn) {
   for (const char* list : {"picture_words", "picture_themes"}) {
     for (const auto& row : decor_data().at(list)) {
@@ -121,7 +126,7 @@ TEST(Pictures, WhatADataRowNamesIsDrawn) {
 TEST(Pictures, AreSoundAndStayWithinTheirFrames) {
   for (const auto& row : decor_data().at("picture_words")) {
     const std::string word = row.at("says").front().get<std::string>();
-    for (const char* kind : {"poster", "painting"}) {
+    for (const char* kind : {"poster", "painting", "tapestry"}) {
       for (const bool upright : {true, false}) {
         PlacedObject object = object_of(kind);
         object.name = word + " " + kind;

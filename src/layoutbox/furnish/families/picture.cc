@@ -50,12 +50,16 @@ void abstract(Piece& p, PictureSheet& on) {
   color_blocks(p, on, accent, p.second_accent());
 }
 
-// The name of what is drawn: of several that would do, one by chance.
+// Of several names one, by turns.
+std::string one_of(Piece& p, std::string_view listed) {
+  const std::vector<std::string> names = names_in(listed);
+  return names.empty() ? "" : names[static_cast<std::size_t>(p.turn(static_cast<int>(names.size())))];
+}
+
+// The name of what is drawn.
 std::string subject_of(Piece& p) {
-  const std::string said = picture_subject([&p](std::string_view word) { return p.says(word); });
-  const std::vector<std::string> names = names_in(said.empty() ? p.pictures() : said);
-  if (names.empty()) return "composition";
-  const std::string& name = names[static_cast<std::size_t>(p.turn(static_cast<int>(names.size())))];
+  std::string name = subject_said(p);
+  if (name.empty()) name = one_of(p, p.pictures());
   // In an old house even a plain portrait is one of the forebears.
   return name == "portrait" && lists(p.pictures(), "forebear") ? "forebear" : name;
 }
@@ -89,6 +93,10 @@ void picture(Piece& p) {
 
 }  // namespace
 
+std::string subject_said(Piece& p) {
+  return one_of(p, picture_subject([&p](std::string_view word) { return p.says(word); }));
+}
+
 const Drawings& drawings() {
   static const Drawings all = [] {
     Drawings to{{"composition", composition}, {"abstract", abstract}};
@@ -102,6 +110,9 @@ const Drawings& drawings() {
 
 }  // namespace pictures
 
-void add_pictures(Families& to) { to["picture"] = pictures::picture; }
+void add_pictures(Families& to) {
+  to["picture"] = pictures::picture;
+  pictures::add_tapestry(to);
+}
 
 }  // namespace layoutbox::kit

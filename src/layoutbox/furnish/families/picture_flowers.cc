@@ -125,8 +125,33 @@ void fruit(Piece& p, PictureSheet& on) {
   on.round(kFruit[0], {-0.68, 0.08}, 0.15, 0.14);
 }
 
+// Rings of petals round a middle.
+void mandala(Piece& p, PictureSheet& on) {
+  const int first = p.turn(5);
+  on.fill(mixed(kGay[first], kNight, 0.6));
+  on.stand_at({0.5, 0.5}, 0.95);
+  constexpr struct {
+    double from, to, wide;
+    int many;
+  } kRings[] = {{0.62, 0.98, 0.62, 16}, {0.4, 0.8, 0.6, 12}, {0.2, 0.56, 0.66, 8}};
+  int ring = 0;
+  for (const auto& r : kRings) {
+    ++ring;
+    for (const double within : {0.0, 0.06}) {
+      const Color color = within > 0 ? mixed(kGay[(first + ring) % 5], kCream, 0.3) : kCream;
+      for (int i = 0; i < r.many; ++i) {
+        const double a = 2 * kPi * (i + ring / 2.0) / r.many, from = r.from + within, to = r.to - within;
+        on.figure(color, leaf_shape({from * std::cos(a), from * std::sin(a)}, {to * std::cos(a), to * std::sin(a)}, r.wide));
+      }
+    }
+  }
+  on.round(kCream, {0, 0}, 0.24, 0.24);
+  on.round(kGay[(first + 1) % 5], {0, 0}, 0.18, 0.18);
+  on.round(kCream, {0, 0}, 0.07, 0.07);
+}
+
 }  // namespace
 
-void add_flowers(Drawings& to) { to.insert({{"flowers", flowers}, {"botanical", botanical}, {"fruit", fruit}}); }
+void add_flowers(Drawings& to) { to.insert({{"flowers", flowers}, {"botanical", botanical}, {"fruit", fruit}, {"mandala", mandala}}); }
 
 }  // namespace layoutbox::kit::pictures

@@ -111,9 +111,15 @@ void stand(PictureSheet& on, const Person& who, double x, double size, double su
   head_and_shoulders(on, who);
 }
 
+// One person, who looks either way: on a wide canvas nearer, and less of the shoulders is seen.
+void stand_alone(Piece& p, PictureSheet& on, const Person& who) {
+  const bool wide = on.upright() < 1;
+  stand(on, who, 0.5, (p.turn(2) == 0 ? 1 : -1) * on.larger(wide ? 1.3 : 1), wide ? 0.45 : 0.15);
+}
+
 void portrait(Piece& p, PictureSheet& on) {
   ground(on, mixed(kClothes[p.pick(5)], kCream, p.random(0.35, 0.7)));
-  stand(on, someone(p, hair_said(p)), 0.5, (p.pick(2) == 0 ? 1 : -1) * on.larger(0.98), 0.15);
+  stand_alone(p, on, someone(p, hair_said(p)));
 }
 
 // How far from the middle two stand side by side, in shares of the width.
@@ -162,7 +168,7 @@ void forebear(Piece& p, PictureSheet& on) {
   who.hair = mixed(who.hair, dark, 0.35);
   constexpr Color kGowns[] = {{0.30, 0.09, 0.10}, {0.12, 0.18, 0.16}, {0.11, 0.13, 0.22}, {0.10, 0.09, 0.09}};
   who.clothes = kGowns[p.pick(4)];
-  stand(on, who, 0.5, (p.pick(2) == 0 ? 1 : -1) * on.larger(0.96), 0.15);
+  stand_alone(p, on, who);
   const int worn = p.pick(3);
   const Color lace{0.84, 0.78, 0.66}, gold{0.74, 0.56, 0.26};
   if (worn == 0) on.figure(lace, smooth({{-0.3, 0.2}, {0, 0.06}, {0.3, 0.2}, {0.22, 0.33}, {0, 0.27}, {-0.22, 0.33}}));
@@ -174,7 +180,7 @@ void forebear(Piece& p, PictureSheet& on) {
 // A saint on gold.
 void icon(Piece& p, PictureSheet& on) {
   const Color gold{0.85, 0.66, 0.28}, red{0.52, 0.16, 0.14}, blue{0.16, 0.26, 0.44};
-  const bool veiled = p.says("mary") || p.says("madonna") || p.says("virgin") || (!p.says("jesus") && !p.says("christ") && p.pick(2) == 0);
+  const bool veiled = p.says("mary") || p.says("madonna") || p.says("virgin") || (!p.says("jesus") && !p.says("christ") && p.turn(2) == 0);
   on.fill(red);
   on.bar(gold, 0.06, 0.94, 0.06, 0.94);
   on.stand_at({0.5, 0.32}, on.larger(0.92));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -64,6 +65,9 @@ using Drawing = void (*)(Piece&, PictureSheet&);
 using Drawings = std::map<std::string_view, Drawing>;
 // All drawings by the names that decor.json uses for what they show.
 const Drawings& drawings();
+// The name of what a picture shows by its own words; empty where they do not say.
+std::string subject_said(Piece& p);
+void add_tapestry(Families& to);
 
 // A closed smooth line through the points.
 std::vector<Vec2> smooth(const std::vector<Vec2>& points, int steps = 5);

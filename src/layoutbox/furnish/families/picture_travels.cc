@@ -108,8 +108,31 @@ void castle(Piece& p, PictureSheet& on) {
   on.paint({0.42, 0.56, 0.40}, rolling(0.2, 0.05, 0.7, p.random(0, 6)));
 }
 
+// A shield in four quarters, with a band across or a cross.
+void arms(Piece& p, PictureSheet& on) {
+  constexpr Color kTinctures[] = {{0.62, 0.14, 0.14}, {0.16, 0.26, 0.48}, {0.18, 0.38, 0.26}, {0.34, 0.16, 0.36}};
+  const Color first = kTinctures[p.turn(4)], gold{0.86, 0.68, 0.30};
+  on.fill(mixed(first, kDark, 0.35));
+  for (const double x : {0.05, 0.93}) on.bar(gold, x, x + 0.02, 0, 1);
+  on.stand_at({0.5, 0.52}, 0.8);
+  const std::vector<Vec2> shield{{-0.7, 0.8}, {0.7, 0.8},     {0.7, 0.1},   {0.6, -0.3}, {0.36, -0.68},
+                                 {0, -0.92},  {-0.36, -0.68}, {-0.6, -0.3}, {-0.7, 0.1}};
+  on.figure(gold, shield);
+  on.figure(
+      kCream,
+      {{-0.63, 0.73}, {0.63, 0.73}, {0.63, 0.1}, {0.54, -0.27}, {0.32, -0.62}, {0, -0.83}, {-0.32, -0.62}, {-0.54, -0.27}, {-0.63, 0.1}});
+  on.figure(first, {{-0.63, 0.73}, {0, 0.73}, {0, 0.05}, {-0.63, 0.05}});
+  on.figure(first, {{0, 0.05}, {0.625, 0.05}, {0.54, -0.27}, {0.32, -0.62}, {0, -0.83}});
+  if (p.pick(2) == 0) {
+    on.block(gold, -0.09, 0.09, -0.7, 0.73);
+    on.block(gold, -0.63, 0.63, -0.04, 0.14);
+  } else {
+    on.figure(gold, {{-0.63, 0.73}, {-0.42, 0.73}, {0.47, -0.4}, {0.37, -0.55}, {-0.63, 0.52}});
+  }
+}
+
 }  // namespace
 
-void add_travels(Drawings& to) { to.insert({{"city", city}, {"planets", planets}, {"castle", castle}}); }
+void add_travels(Drawings& to) { to.insert({{"city", city}, {"planets", planets}, {"castle", castle}, {"arms", arms}}); }
 
 }  // namespace layoutbox::kit::pictures

@@ -7,7 +7,7 @@
 namespace layoutbox::kit::pictures {
 namespace {
 
-constexpr Color kHides[] = {{0.46, 0.62, 0.40}, {0.36, 0.58, 0.60}, {0.78, 0.52, 0.36}, {0.56, 0.50, 0.68}};
+constexpr Color kHides[] = {{0.27, 0.52, 0.33}, {0.20, 0.47, 0.52}, {0.76, 0.42, 0.26}, {0.47, 0.38, 0.60}};
 
 // A plain with hills and a sun, or a mountain that smokes.
 void wilderness(Piece& p, PictureSheet& on, bool volcano) {
@@ -22,8 +22,8 @@ void wilderness(Piece& p, PictureSheet& on, bool volcano) {
     on.figure(rock, {{-0.6, 0}, {0.6, 0}, {0.12, 0.7}, {-0.12, 0.7}});
     on.figure({0.86, 0.40, 0.28}, {{-0.12, 0.7}, {-0.16, 0.6}, {-0.05, 0.64}, {0.0, 0.48}, {0.07, 0.62}, {0.16, 0.58}, {0.12, 0.7}});
   }
-  on.paint({0.66, 0.72, 0.50}, rolling(0.3, 0.03, 0.8, p.random(0, 6)));
-  on.paint({0.52, 0.62, 0.42}, rolling(0.18, 0.02, 0.7, p.random(0, 6)));
+  on.paint({0.82, 0.80, 0.58}, rolling(0.3, 0.03, 0.8, p.random(0, 6)));
+  on.paint({0.70, 0.72, 0.48}, rolling(0.18, 0.02, 0.7, p.random(0, 6)));
 }
 
 void long_neck(PictureSheet& on, const Color& hide) {
