@@ -229,7 +229,7 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
   } else {
     decor.accents = accents_beside(said_of_things(layout), palette_of(one_of(decor_data().at("palettes"), chance >> 24)));
   }
-  if (std::string theme = picture_theme(layout.prompt); !theme.empty()) decor.pictures = std::move(theme);
+  if (std::string theme = picture_theme(layout.prompt, decor.pictures == "child"); !theme.empty()) decor.pictures = std::move(theme);
   if (style != nullptr) take_style(decor, named);
   if (style != nullptr && style->contains("walls") && decor.wall_finish.empty())
     decor.wall = color_of_json(one_of(style->at("walls"), chance >> 8));

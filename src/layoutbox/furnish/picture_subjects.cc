@@ -41,7 +41,7 @@ std::string picture_subject(const std::function<bool(std::string_view)>& says) {
   return "";
 }
 
-std::string picture_theme(std::string_view prompt) {
+std::string picture_theme(std::string_view prompt, bool for_children) {
   std::string text;
   for (const char c : prompt) text += c == '-' ? ' ' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   const std::string opening = opening_of(text);
@@ -50,7 +50,7 @@ std::string picture_theme(std::string_view prompt) {
       const std::string word = phrase.get<std::string>();
       return says_word(opening, word) || is_said_of_room(text, word);
     });
-    if (said) return row.at("show").get<std::string>();
+    if (said) return row.at(for_children && row.contains("for_children") ? "for_children" : "show").get<std::string>();
   }
   return "";
 }

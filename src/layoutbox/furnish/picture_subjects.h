@@ -12,7 +12,7 @@ namespace layoutbox {
 std::string picture_subject(const std::function<bool(std::string_view)>& says);
 
 // The same for all pictures of a room of which nothing is said: "a dinosaur bedroom", "who loves horses".
-std::string picture_theme(std::string_view prompt);
+std::string picture_theme(std::string_view prompt, bool for_children = false);
 
 // The names by themselves.
 std::vector<std::string> names_in(std::string_view names);

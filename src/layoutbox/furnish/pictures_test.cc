@@ -96,6 +96,7 @@ TEST(Pictures, HaveTheThemeOfTheirRoom) {
   EXPECT_EQ(picture_theme("A bedroom for my son. He loves dinosaurs."), "dinosaur");
   EXPECT_EQ(picture_theme("A space-themed nursery with a crib."), picture_theme("A bedroom for an astronaut."));
   EXPECT_NE(picture_theme("A haunted Victorian drawing room.").find("forebear"), std::string::npos);
+  EXPECT_EQ(picture_theme("A playroom that looks like a castle.", true).find("forebear"), std::string::npos);
   EXPECT_EQ(picture_theme("A bedroom with a toy dinosaur on the shelf."), "");
   EXPECT_EQ(picture_theme("A living room with space for a sofa."), "");
 }
@@ -113,7 +114,7 @@ TEST(Pictures, TapestriesShowTheirSubjectAsWell) {
 TEST(Pictures, WhatADataRowNamesIsDrawn) {
   for (const char* list : {"picture_words", "picture_themes"}) {
     for (const auto& row : decor_data().at(list)) {
-      for (const std::string& name : names_in(row.at("show").get<std::string>()))
+      for (const std::string& name : names_in(row.at("show").get<std::string>() + " " + row.value("for_children", "")))
         EXPECT_TRUE(kit::pictures::drawings().contains(name)) << name;
     }
   }
