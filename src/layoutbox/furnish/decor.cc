@@ -1,7 +1,6 @@
 #include "layoutbox/furnish/decor.h"
 
 #include <algorithm>
-#include <cctype>
 #include <nlohmann/json.hpp>
 
 #include "layoutbox/base/units.h"
@@ -10,6 +9,8 @@
 #include "layoutbox/furnish/decor_data.h"
 #include "layoutbox/furnish/decor_style.h"
 #include "layoutbox/furnish/palette.h"
+#include "layoutbox/furnish/picture_subjects.h"
+#include "layoutbox/furnish/prompt_words.h"
 #include "layoutbox/furnish/room_look.h"
 
 namespace layoutbox {
@@ -26,15 +27,6 @@ std::uint64_t hash(std::string_view text, std::uint64_t seed) {
 template <class List>
 const auto& one_of(const List& list, std::uint64_t number) {
   return list[static_cast<typename List::size_type>(number % list.size())];
-}
-
-// Whole words only.
-bool says_word(std::string_view text, std::string_view phrase) {
-  const auto is_letter = [&](std::size_t at) { return at < text.size() && std::isalpha(static_cast<unsigned char>(text[at])) != 0; };
-  for (std::size_t at = text.find(phrase); at != std::string_view::npos; at = text.find(phrase, at + 1)) {
-    if ((at == 0 || !is_letter(at - 1)) && !is_letter(at + phrase.size())) return true;
-  }
-  return false;
 }
 
 const Json& room_data(std::string_view kind) {
@@ -237,6 +229,7 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
   } else {
     decor.accents = accents_beside(said_of_things(layout), palette_of(one_of(decor_data().at("palettes"), chance >> 24)));
   }
+  if (std::string theme = picture_theme(layout.prompt, decor.pictures == "child"); !theme.empty()) decor.pictures = std::move(theme);
   if (style != nullptr) take_style(decor, named);
   if (style != nullptr && style->contains("walls") && decor.wall_finish.empty())
     decor.wall = color_of_json(one_of(style->at("walls"), chance >> 8));

@@ -32,7 +32,7 @@ struct Decor {
   bool all = false;              // the furniture as well has these colours and woods, where nothing was said of it
   std::string cases;             // what lies in glass cases of which nothing was said; empty: nothing
   std::string shelves;           // what stands on a shelf of which nothing was said ("goods", "towels"); empty: books
-  std::string pictures;          // what pictures show in rooms of this kind ("child", "chart"); empty: landscapes and compositions
+  std::string pictures;          // what pictures show here, one of several names ("child", "horse landscape"); empty: compositions
   double daylight = 1;           // a share of the usual light from without
   double wear = 0;               // 0: new, 1: as worn and dirty as can be
   bool skirting = true;          // boards along the foot of plastered walls

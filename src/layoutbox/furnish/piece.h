@@ -80,7 +80,7 @@ class Piece {
   std::string case_contents() const;
   // What the text says that things of its name hold ("a shelf for the toys"); empty where it says nothing.
   std::string said_contents() const;
-  // What pictures show in a room of this kind; empty: anything.
+  // What pictures show in this room, of several names one; empty: anything.
   const std::string& pictures() const { return decor_.pictures; }
   // A colour for what nobody gave a colour; the same for all things of a kind, so that a room looks of a piece.
   Color accent() const;
@@ -107,6 +107,8 @@ class Piece {
   double random() { return random_.fraction(); }
   double random(double from, double to) { return from + (to - from) * random(); }
   int pick(int n) { return static_cast<int>(random() * n); }
+  // One of `n` by turns, so that two of a kind (the first and the second poster) are sure to differ.
+  int turn(int n) const;
 
   Node take_node();
 

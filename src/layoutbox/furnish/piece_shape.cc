@@ -34,6 +34,13 @@ void Piece::part_coincident_faces() {
   }
 }
 
+int Piece::turn(int n) const {
+  const std::size_t digits = object_.id.find_last_not_of("0123456789") + 1;
+  std::uint64_t number = 0;
+  for (const char c : object_.id.substr(digits)) number = number * 10 + static_cast<std::uint64_t>(c - '0');
+  return static_cast<int>(((kind_seed_ >> 7) + number) % static_cast<std::uint64_t>(n));
+}
+
 void Piece::light(Vec position, double watts, double radius) {
   Light light;
   light.position = {static_cast<float>(position.x), static_cast<float>(position.y), static_cast<float>(position.z)};

@@ -31,6 +31,14 @@ bool is_in_list(const char* list, std::string_view word) {
   return !word.empty() && lists(decor_data().at(list).get_ref<const std::string&>(), word);
 }
 
+bool says_word(std::string_view text, std::string_view phrase) {
+  const auto is_letter = [&](std::size_t at) { return at < text.size() && std::isalpha(static_cast<unsigned char>(text[at])) != 0; };
+  for (std::size_t at = text.find(phrase); at != std::string_view::npos; at = text.find(phrase, at + 1)) {
+    if ((at == 0 || !is_letter(at - 1)) && !is_letter(at + phrase.size())) return true;
+  }
+  return false;
+}
+
 bool is_room_word(std::string_view word) { return word.ends_with("room") || is_in_list("room_words", word); }
 
 bool is_banned_at(const std::vector<std::string>& words, std::size_t at) {

@@ -14,6 +14,9 @@ bool is_sign(std::string_view word);
 // Whether that list of decor.json (words parted by spaces) has the word.
 bool is_in_list(const char* list, std::string_view word);
 
+// Whether the text, in lower case, has that phrase; whole words only.
+bool says_word(std::string_view text, std::string_view phrase);
+
 // A word that speaks of the room itself: "bedroom", "den".
 bool is_room_word(std::string_view word);
 
