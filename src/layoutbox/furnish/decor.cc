@@ -234,7 +234,8 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
   const bool own_floor = style != nullptr && style->contains("floors") && (strong || !plain);
   decor.floor = one_of(own_floor ? style->at("floors") : room.at("floors"), chance).get<std::string>();
   decor.wall = color_of_json(one_of(decor_data().at(plain ? "plain_walls" : "walls"), chance >> 8));
-  if (room.value("tiled", false)) decor.wall_finish = decor_data().at("tiled_wall").get<std::string>();
+  const bool own_tiles = style != nullptr && style->contains("tiled_wall");
+  if (room.value("tiled", false)) decor.wall_finish = (own_tiles ? *style : decor_data()).at("tiled_wall").get<std::string>();
   const std::string& floor = layout.room.floor_material.empty() ? decor.floor : layout.room.floor_material;
   decor.woods = woods_on(floor_name(floor), chance >> 16);
   if (is_childs(kind, layout.prompt)) {

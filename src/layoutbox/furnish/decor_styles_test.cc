@@ -48,7 +48,7 @@ TEST(DecorStyles, EveryStyleNamesKnownWoodsColoursAndFloors) {
 
 TEST(DecorStyles, EveryStyleHasWallsThatAreKnown) {
   const auto check = [](const std::string& words, const nlohmann::json& style) {
-    for (const char* part : {"wall", "floors"}) {
+    for (const char* part : {"wall", "tiled_wall", "floors"}) {
       if (!style.contains(part) || style.at(part).is_null()) continue;
       const nlohmann::json list = style.at(part).is_array() ? style.at(part) : nlohmann::json{style.at(part)};
       for (const auto& look : list) EXPECT_FALSE(read_wish(look.get<std::string>()).materials.empty()) << words << ": " << look;
@@ -95,6 +95,7 @@ TEST(DecorStyles, PlainRoomsHaveAStyleInTheirWay) {
   EXPECT_TRUE(kitchen.wall_finish.empty());
   EXPECT_NE(kitchen.floor.find("tiles"), std::string::npos);
   EXPECT_TRUE(kitchen.parts.contains("fronts"));
+  EXPECT_NE(decor_for("A Moroccan bathroom.", {}, "bathroom").wall_finish, decor_for("A bathroom.", {}, "bathroom").wall_finish);
 }
 
 TEST(DecorStyles, AYearIsOfAnAge) {
