@@ -216,10 +216,11 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
   const std::uint64_t chance = hash(layout.prompt.substr(0, layout.prompt.find('\n')), seed);
   const std::string& kind = layout.room.type;
   const Json& room = room_data(kind);
-  const bool plain = room.value("plain", false);
+  const bool plain = room.value("plain", false), tiled = room.value("tiled", false);
+  const bool wet = tiled || lists(decor_data().at("colored_fronts").get_ref<const std::string&>(), kind);
   RoomStyle named = style_of(layout.prompt, things_of(layout));
   const bool dark = named.data == &decor_data().at("moods").at("dark");
-  const Json changed = plain && named.data != nullptr ? in_plain_room(*named.data) : Json();
+  const Json changed = plain && named.data != nullptr ? in_plain_room(*named.data, wet) : Json();
   if (!changed.is_null()) named.data = &changed;
   const Json* style = named.data;
   Decor decor;
@@ -235,7 +236,7 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
   decor.floor = one_of(own_floor ? style->at("floors") : room.at("floors"), chance).get<std::string>();
   decor.wall = color_of_json(one_of(decor_data().at(plain ? "plain_walls" : "walls"), chance >> 8));
   const bool own_tiles = style != nullptr && style->contains("tiled_wall");
-  if (room.value("tiled", false)) decor.wall_finish = (own_tiles ? *style : decor_data()).at("tiled_wall").get<std::string>();
+  if (tiled) decor.wall_finish = (own_tiles ? *style : decor_data()).at("tiled_wall").get<std::string>();
   const std::string& floor = layout.room.floor_material.empty() ? decor.floor : layout.room.floor_material;
   decor.woods = woods_on(floor_name(floor), chance >> 16);
   if (is_childs(kind, layout.prompt)) {

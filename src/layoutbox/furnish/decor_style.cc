@@ -4,6 +4,7 @@
 #include <cctype>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <vector>
 
 #include "layoutbox/base/words.h"
@@ -161,7 +162,7 @@ class StyleReader {
     }
     // Said of two things, it is how the room is meant.
     const bool of_thing = is_of_thing(words_, at + length, things_) || is_after_thing(words_, at, things_);
-    if (of_thing && (of_things_++ == 0 || style.data->value("of_rooms", false))) return;
+    if (of_thing && (of_things_.insert(style.data).second || style.data->value("of_rooms", false))) return;
     RoomStyle& taken = style.data->value("weak", false) ? weak_ : wanted_;
     if (taken.data == nullptr) taken = style;
   }
@@ -170,14 +171,15 @@ class StyleReader {
   std::span<const std::string> things_;
   RoomStyle wanted_, weak_;
   std::string unwanted_;
-  int of_things_ = 0;
+  std::set<const json*> of_things_;
 };
 
 }  // namespace
 
-json in_plain_room(json style) {
+json in_plain_room(json style, bool wet) {
   const json changes = style.value("plain", json::object());
   style.merge_patch(changes);
+  if (!wet && style.contains("dry_floors")) style["floors"] = style.at("dry_floors");
   return style;
 }
 

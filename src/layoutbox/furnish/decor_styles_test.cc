@@ -48,7 +48,7 @@ TEST(DecorStyles, EveryStyleNamesKnownWoodsColoursAndFloors) {
 
 TEST(DecorStyles, EveryStyleHasWallsThatAreKnown) {
   const auto check = [](const std::string& words, const nlohmann::json& style) {
-    for (const char* part : {"wall", "tiled_wall", "floors"}) {
+    for (const char* part : {"wall", "tiled_wall", "floors", "dry_floors"}) {
       if (!style.contains(part) || style.at(part).is_null()) continue;
       const nlohmann::json list = style.at(part).is_array() ? style.at(part) : nlohmann::json{style.at(part)};
       for (const auto& look : list) EXPECT_FALSE(read_wish(look.get<std::string>()).materials.empty()) << words << ": " << look;
@@ -95,6 +95,7 @@ TEST(DecorStyles, PlainRoomsHaveAStyleInTheirWay) {
   EXPECT_TRUE(kitchen.wall_finish.empty());
   EXPECT_NE(kitchen.floor.find("tiles"), std::string::npos);
   EXPECT_TRUE(kitchen.parts.contains("fronts"));
+  EXPECT_EQ(decor_for("A classroom around 1900.", {}, "classroom").floor.find("tiles"), std::string::npos);
   EXPECT_NE(decor_for("A Moroccan bathroom.", {}, "bathroom").wall_finish, decor_for("A bathroom.", {}, "bathroom").wall_finish);
 }
 
@@ -149,6 +150,7 @@ TEST(DecorStyles, TheStyleOfOneThingIsNotTheRooms) {
   EXPECT_TRUE(decor_for("A living room with a Moroccan brass lantern and a sofa.", {"lantern", "sofa"}).style.empty());
   EXPECT_EQ(decor_for("A Moroccan living room with a lantern.", {"lantern"}).style, "traditional");
   EXPECT_EQ(decor_for("A room with an industrial table and industrial chairs.", {"table", "chair"}).style, "industrial");
+  EXPECT_TRUE(decor_for("A bedroom with a Turkish rug and a Japanese screen.", {"rug", "screen"}).style.empty());
   EXPECT_TRUE(decor_for("A lounge with an armchair from the 1930s.", {"armchair"}).style.empty());
   EXPECT_TRUE(decor_for("A bedroom with a poster of dinosaurs.", {"poster"}).style.empty());
   EXPECT_EQ(decor_for("A bedroom for a boy who loves dinosaurs.", {"bed"}).style, "dinosaur");
