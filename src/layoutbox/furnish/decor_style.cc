@@ -52,6 +52,7 @@ std::string joined(const Words& words, std::size_t from, std::size_t count, char
 // "Loft bed": how many words from `at` on are a thing's name, though some of them name a style.
 std::size_t name_of_thing(const Words& words, std::size_t at) {
   for (const json& name : decor_data().at("no_styles")) {
+    if (!name.get_ref<const std::string&>().starts_with(words[at])) continue;
     const Words phrase = words_of(name.get<std::string>());
     const bool here =
         at + phrase.size() <= words.size() && std::equal(phrase.begin(), phrase.end(), words.begin() + static_cast<std::ptrdiff_t>(at));

@@ -111,8 +111,8 @@ TEST(DecorStyles, AYearIsOfAnAge) {
 }
 
 TEST(DecorStyles, AnOldStyleIsTraditional) {
-  for (const char* text :
-       {"An old style lounge.", "An old-fashioned lounge.", "A lounge, nothing modern.", "A lounge without modern things."})
+  for (const char* text : {"An old style lounge.", "The lounge of an old house.", "An old-fashioned lounge.", "A lounge, nothing modern.",
+                           "A lounge without modern things."})
     EXPECT_EQ(decor_for(text).style, "traditional") << text;
   EXPECT_EQ(decor_for("An old style Chinese lounge.").wall_finish, "red lacquer panels");
 }
