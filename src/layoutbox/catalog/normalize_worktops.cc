@@ -3,6 +3,7 @@
 
 #include "layoutbox/catalog/normalize_steps.h"
 #include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/scene/shell.h"
 
 namespace layoutbox {
 namespace {

@@ -162,7 +162,11 @@ void take_view(Decor& decor, std::string_view prompt) {
 
 // Walls, skirtings, doors and windows of a style.
 void take_shell(Decor& decor, const Json& style) {
-  decor.wall_finish = style.value("wall", decor.wall_finish);
+  if (style.contains("wall")) {
+    const Json& wall = style.at("wall");
+    decor.wall_finish = (wall.is_array() ? one_of(wall, decor.chance >> 8) : wall).get<std::string>();
+  }
+  if (style.contains("feature")) decor.feature = read_wish(style.at("feature").get<std::string>()).color;
   decor.skirting = style.value("skirting", decor.skirting);
   decor.door = style.value("door", decor.door);
   decor.window = style.value("window", decor.window);
@@ -204,7 +208,12 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
   const std::uint64_t chance = hash(layout.prompt.substr(0, layout.prompt.find('\n')), seed);
   const std::string& kind = layout.room.type;
   const Json& room = room_data(kind);
-  const RoomStyle named = style_of(layout.prompt, things_of(layout));
+  const bool plain = room.value("plain", false), tiled = room.value("tiled", false);
+  const bool wet = tiled || lists(decor_data().at("colored_fronts").get_ref<const std::string&>(), kind);
+  RoomStyle named = style_of(layout.prompt, things_of(layout));
+  const bool dark = named.data == &decor_data().at("moods").at("dark");
+  const Json changed = plain && named.data != nullptr ? in_plain_room(*named.data, wet) : Json();
+  if (!changed.is_null()) named.data = &changed;
   const Json* style = named.data;
   Decor decor;
   decor.chance = chance;
@@ -215,11 +224,11 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
   if (room.contains("wall")) decor.wall_finish = room.at("wall").get<std::string>();
   // A style that has walls of its own goes before what such rooms mostly look like.
   const bool strong = style != nullptr && (style->contains("wall") || style->value("own_floor", false));
-  const bool own_floor = style != nullptr && style->contains("floors") && (strong || !room.value("plain", false));
+  const bool own_floor = style != nullptr && style->contains("floors") && (strong || !plain);
   decor.floor = one_of(own_floor ? style->at("floors") : room.at("floors"), chance).get<std::string>();
-  const bool plain = room.value("plain", false);
   decor.wall = color_of_json(one_of(decor_data().at(plain ? "plain_walls" : "walls"), chance >> 8));
-  if (room.value("tiled", false)) decor.wall_finish = decor_data().at("tiled_wall").get<std::string>();
+  const bool own_tiles = style != nullptr && style->contains("tiled_wall");
+  if (tiled) decor.wall_finish = (own_tiles ? *style : decor_data()).at("tiled_wall").get<std::string>();
   const std::string& floor = layout.room.floor_material.empty() ? decor.floor : layout.room.floor_material;
   decor.woods = woods_on(floor_name(floor), chance >> 16);
   if (is_childs(kind, layout.prompt)) {
@@ -238,7 +247,7 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
   take_view(decor, layout.prompt);
   decor.shelves_said = shelves_said(layout.prompt);
   decor.parts = part_looks(layout.prompt);
-  take_room_look(decor, room_look(layout.prompt), kind, style == &decor_data().at("moods").at("dark"));
+  take_room_look(decor, room_look(layout.prompt), kind, dark);
   if (style != nullptr && style->contains("parts")) {
     for (const auto& [part, look] : style->at("parts").items()) decor.parts.emplace(part, part_look_of(look.get<std::string>()));
   }

@@ -208,6 +208,7 @@ void take_room_look(Decor& decor, RoomLook said, const std::string& kind, bool d
   decor.unwanted = std::move(said.unwanted);
   if (!said.colors.empty()) {
     constexpr double kDarkened = 0.55;
+    decor.feature.reset();  // a style's own
     decor.wall = dark ? mixed(said.colors.front(), decor.wall, kDarkened) : wall_of(said.colors);
     if (lists(decor_data().at("colored_fronts").get<std::string>(), kind))
       decor.parts.emplace("fronts", PartLook{{said.colors.front()}, nullptr});

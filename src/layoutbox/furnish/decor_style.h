@@ -20,4 +20,8 @@ struct RoomStyle {
 // name ends in one of `things`: "a Moroccan lantern") is no style of the whole.
 RoomStyle style_of(std::string_view text, std::span<const std::string> things = {});
 
+// A style as kitchens, bathrooms and workshops have it: what decor.json lists as `plain` is otherwise (null: it is not), with its
+// `dry_floors` where nothing is cooked or washed.
+nlohmann::json in_plain_room(nlohmann::json style, bool wet);
+
 }  // namespace layoutbox

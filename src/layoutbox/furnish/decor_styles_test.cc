@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
 
 #include "layoutbox/furnish/decor.h"
 #include "layoutbox/furnish/decor_colors.h"
@@ -44,6 +46,84 @@ TEST(DecorStyles, EveryStyleNamesKnownWoodsColoursAndFloors) {
   }
 }
 
+TEST(DecorStyles, EveryStyleHasWallsThatAreKnown) {
+  const auto check = [](const std::string& words, const nlohmann::json& style) {
+    for (const char* part : {"wall", "tiled_wall", "floors", "dry_floors"}) {
+      if (!style.contains(part) || style.at(part).is_null()) continue;
+      const nlohmann::json list = style.at(part).is_array() ? style.at(part) : nlohmann::json{style.at(part)};
+      for (const auto& look : list) EXPECT_FALSE(read_wish(look.get<std::string>()).materials.empty()) << words << ": " << look;
+    }
+    for (const char* part : {"feature", "leather"}) {
+      EXPECT_TRUE(!style.contains(part) || read_wish(style.at(part).get<std::string>()).color) << words << ": " << part;
+    }
+  };
+  for (const auto& [words, style] : decor_data().at("styles").items()) {
+    check(words, style);
+    if (style.contains("plain")) check(words, style.at("plain"));
+  }
+}
+
+TEST(DecorStyles, EveryPhraseIsOfOneStyle) {
+  std::set<std::string> seen;
+  for (const auto& [phrases, style] : decor_data().at("styles").items()) {
+    std::istringstream words(phrases);
+    for (std::string phrase; words >> phrase;) EXPECT_TRUE(seen.insert(phrase).second) << phrase;
+  }
+  for (const auto& era : decor_data().at("eras").at("of")) EXPECT_TRUE(seen.contains(era.at("style").get<std::string>())) << era;
+}
+
+// The walls and the floor of a theme go before what such rooms mostly have.
+TEST(DecorStyles, AThemeIsCarriedThroughTheShell) {
+  EXPECT_EQ(decor_for("A Roman triclinium with three couches.").wall_finish, "pompeian plaster");
+  EXPECT_EQ(decor_for("The captain's cabin of an old wooden galleon.", {}, "ship_cabin").wall_finish, "ship planks");
+  EXPECT_EQ(decor_for("The captain’s cabin with a bunk.", {}, "ship_cabin").floor, "ship planks");
+  EXPECT_EQ(decor_for("The lighthouse keeper's room.").wall_finish, "whitewashed stone");
+  EXPECT_EQ(decor_for("A Chinese dining room.", {}, "dining_room").wall_finish, "red lacquer panels");
+  EXPECT_EQ(decor_for("A Japanese bedroom.", {}, "bedroom").floor, "tatami floor");
+  EXPECT_EQ(decor_for("A Mexican kitchen.", {}, "kitchen").floor, "terracotta tiles");
+  EXPECT_EQ(decor_for("An alchemist's workshop.", {}, "workshop").wall_finish, "sooty stone");
+  EXPECT_LT(decor_for("A gaming room with a desk.", {}, "game_room").wall.r, 0.3);
+  EXPECT_LT(decor_for("A room for a streamer with RGB lighting.").wall.r, 0.3);
+  EXPECT_EQ(decor_for("A space themed bedroom for my son.", {}, "bedroom").wall_finish, "starry wallpaper");
+  EXPECT_TRUE(decor_for("A bedroom with space for a desk.", {}, "bedroom").wall_finish.empty());
+}
+
+// Wallpaper and parquet are not for a kitchen of the same age.
+TEST(DecorStyles, PlainRoomsHaveAStyleInTheirWay) {
+  EXPECT_FALSE(decor_for("A Victorian parlour.").wall_finish.empty());
+  const Decor kitchen = decor_for("A Victorian kitchen.", {}, "kitchen");
+  EXPECT_TRUE(kitchen.wall_finish.empty());
+  EXPECT_NE(kitchen.floor.find("tiles"), std::string::npos);
+  EXPECT_TRUE(kitchen.parts.contains("fronts"));
+  EXPECT_EQ(decor_for("A classroom around 1900.", {}, "classroom").floor.find("tiles"), std::string::npos);
+  EXPECT_NE(decor_for("A Moroccan bathroom.", {}, "bathroom").wall_finish, decor_for("A bathroom.", {}, "bathroom").wall_finish);
+}
+
+TEST(DecorStyles, AYearIsOfAnAge) {
+  EXPECT_EQ(decor_for("A parlour from 1890 with a sofa.").style, "victorian");
+  EXPECT_EQ(decor_for("A parlour of the 1880's.").style, "victorian");
+  EXPECT_EQ(decor_for("A kitchen like in the '50s.", {}, "kitchen").metal, "chrome");
+  EXPECT_EQ(decor_for("A kitchen in 1943.", {}, "kitchen").parts.at("handles").material->surface.name, "black_metal");
+  EXPECT_EQ(decor_for("A house at the turn of the century.").style, "victorian");
+  EXPECT_EQ(decor_for("The early 1930s: a lounge.").style, "traditional");
+  EXPECT_TRUE(decor_for("A room with a bed of 1900 mm.").style.empty());
+  EXPECT_TRUE(decor_for("A room 1950 wide.").style.empty());
+}
+
+TEST(DecorStyles, AnOldStyleIsTraditional) {
+  for (const char* text : {"An old style lounge.", "The lounge of an old house.", "An old-fashioned lounge.", "A lounge, nothing modern.",
+                           "A lounge without modern things."})
+    EXPECT_EQ(decor_for(text).style, "traditional") << text;
+  EXPECT_EQ(decor_for("An old style Chinese lounge.").wall_finish, "red lacquer panels");
+}
+
+TEST(DecorStyles, ColoursThatAreSaidGoBeforeAThemesOwn) {
+  const Decor decor = decor_for("A Mexican lounge. Green and white.");
+  EXPECT_EQ(decor.accents.front(), color_called("green"));
+  EXPECT_NE(decor.feature, std::optional(color_called("cobalt")));
+  EXPECT_EQ(decor_for("A Mexican lounge.").feature, std::optional(color_called("cobalt")));
+}
+
 TEST(DecorStyles, StylesOfSeveralWordsAreKnown) {
   EXPECT_EQ(decor_for("An Art Deco living room with a sofa.").rug, "diamonds");
   EXPECT_EQ(decor_for("A log cabin living room.").wall_finish, "log walls");
@@ -70,6 +150,12 @@ TEST(DecorStyles, TheStyleOfOneThingIsNotTheRooms) {
   EXPECT_TRUE(decor_for("A living room with a Moroccan brass lantern and a sofa.", {"lantern", "sofa"}).style.empty());
   EXPECT_EQ(decor_for("A Moroccan living room with a lantern.", {"lantern"}).style, "traditional");
   EXPECT_EQ(decor_for("A room with an industrial table and industrial chairs.", {"table", "chair"}).style, "industrial");
+  EXPECT_TRUE(decor_for("A bedroom with a Turkish rug and a Japanese screen.", {"rug", "screen"}).style.empty());
+  EXPECT_TRUE(decor_for("A lounge with an armchair from the 1930s.", {"armchair"}).style.empty());
+  EXPECT_TRUE(decor_for("A bedroom with a poster of dinosaurs.", {"poster"}).style.empty());
+  EXPECT_EQ(decor_for("A bedroom for a boy who loves dinosaurs.", {"bed"}).style, "dinosaur");
+  EXPECT_TRUE(decor_for("A bedroom with a gaming desk and a gaming chair.", {"desk", "chair"}).style.empty());
+  EXPECT_TRUE(decor_for("A bathroom with a shower cabin and roman blinds.", {}, "bathroom").style.empty());
 }
 
 TEST(DecorStyles, SchemesOfColoursAreSaidAnywhere) {

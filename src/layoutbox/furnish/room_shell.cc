@@ -27,6 +27,7 @@ const Material* material_of(const Layout& layout, const std::string& id) {
 std::string floor_of(const NamedSurface& named) {
   const std::string& name = named.surface.name;
   if (named.kind == "wood") {
+    if (name == "reclaimed_wood") return "barn_boards";
     if (name == "walnut" || name == "mahogany" || name == "ebony" || name == "cherry") return "walnut_planks";
     return name == "birch" || name == "pine" || name == "bamboo" ? "pale_planks" : "oak_planks";
   }
@@ -144,8 +145,10 @@ Surface wall_surface(const Layout& layout, const Decor& decor, const Wall& wall)
                          std::ranges::find(decor.accents, *wish.color) != decor.accents.end();
   if (!asked.empty() && !of_scheme) return surface_for(layout, asked, "plaster", false);
   if (!decor.wall_finish.empty()) {
-    const Surface usual = surface_for(layout, decor.wall_finish, "tiles", false);
-    return decor.colors_said && usual.texture == "tiles" ? colored(named_surface(usual.name), decor.wall) : usual;
+    const SurfaceWish finish = read_wish(decor.wall_finish);
+    const NamedSurface* named = finish.materials.empty() ? nullptr : &named_surface(wall_of(*finish.materials.front()));
+    const bool dyed = named != nullptr && named->tint && (named->surface.texture == "tiles" || named->surface.texture == "stripes");
+    return decor.colors_said && dyed ? colored(*named, decor.wall) : surface_for(layout, decor.wall_finish, "tiles", false);
   }
   const bool feature = decor.feature && is_feature(layout, wall);
   return colored(named_surface("plaster"), feature ? *decor.feature : decor.wall);
