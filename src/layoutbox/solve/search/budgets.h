@@ -21,7 +21,7 @@ struct Budgets {
 
 // `things`: objects and openings.
 inline Budgets budgets_for(std::int64_t effort, std::size_t things) {
-  constexpr std::int64_t kStepsPerUnit = 4400;  // candidate positions tried in about a quarter of a millisecond
+  constexpr std::int64_t kStepsPerUnit = 5000;  // candidate positions tried in about a quarter of a millisecond
   constexpr std::int64_t kThingsPerEffort = 11, kThingsOfStart = 8, kMany = 30, kLessOfMany = 5, kLeastWeighed = 32, kHundreds = 200;
   constexpr std::int64_t kFindingPerUnit = 80'000, kLeastFinding = 4'000'000;
   constexpr double kProofPerUnit = 0.005, kLeastProof = 0.1, kMostProof = 20;

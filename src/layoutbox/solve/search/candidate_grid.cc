@@ -6,12 +6,7 @@ namespace layoutbox::placement {
 
 void CandidateGrid::start(std::size_t cases) {
   cases_ = cases;
-  for (int axis = 0; axis < 3; ++axis) {
-    CostsAlong& along = costs_[axis];
-    along.count = values[axis].size();
-    along.misses.assign(along.count * cases, 0);
-    along.wishes.assign(along.count * cases, 0);
-  }
+  for (int axis = 0; axis < 3; ++axis) costs_[axis].assign(values[axis].size() * cases, {});
   whole_.assign(cases, {});
   along_.assign(cases, {});
   if (slanted_.size() < cases) slanted_.resize(cases);
@@ -29,9 +24,11 @@ void CandidateGrid::add_wish(std::size_t number, const Wish& wish) {
     return;
   }
   (axis == 0 ? along_[number].wishes_x : along_[number].wishes_row) = true;
-  std::int64_t* cost = costs_[axis].wishes_of(number);
-  const std::int64_t constant = wish.form.constant, coefficient = wish.form.coefficient[axis];
-  for (const Mm value : values[axis]) *cost++ += wish.cost_of(constant + coefficient * value);
+  Cost* cost = &costs_[axis][number];
+  for (const Mm value : values[axis]) {
+    cost->wish += wish.cost_of(wish.form.constant + std::int64_t{wish.form.coefficient[axis]} * value);
+    cost += cases_;
+  }
 }
 
 void CandidateGrid::add_check(std::size_t number, const Partial& form) {
@@ -45,11 +42,10 @@ void CandidateGrid::add_check(std::size_t number, const Partial& form) {
     return;
   }
   (axis == 0 ? along_[number].checks_x : along_[number].checks_row) = true;
-  std::int64_t* miss = costs_[axis].misses_of(number);
-  const std::int64_t constant = form.constant, coefficient = form.coefficient[axis];
+  Cost* cost = &costs_[axis][number];
   for (const Mm value : values[axis]) {
-    *miss = std::max(*miss, missing(constant + coefficient * value, form.scale));
-    ++miss;
+    cost->miss = std::max(cost->miss, missing(form.constant + std::int64_t{form.coefficient[axis]} * value, form.scale));
+    cost += cases_;
   }
 }
 
@@ -67,18 +63,19 @@ CandidateGrid::Formula::Kind CandidateGrid::kind_of(std::size_t first, std::size
   return all.checks_x ? Kind::kSumMissedAlongX : Kind::kSum;
 }
 
-// Of what a formula costs at each x: all of it, the part that does not depend on the row, or a bound.
-void CandidateGrid::tabulate_parts(const Formula& formula) {
+// Of what a formula costs at one x: all of it, the part that does not depend on the row, or a bound.
+std::int64_t CandidateGrid::part_by_x(const Formula& formula, const Cost* here) const {
   using Kind = Formula::Kind;
-  const std::size_t count = costs_[0].count;
-  const bool missed = formula.kind == Kind::kByX || formula.kind == Kind::kSumMissedAlongX;
-  parts_.assign(count, kNoCost);
+  if (formula.kind == Kind::kByRow) return 0;
+  std::int64_t least = kNoCost;
   for (std::size_t k = formula.first; k < formula.end; ++k) {
-    const std::int64_t *const misses = costs_[0].misses_of(k), *const wishes = costs_[0].wishes_of(k);
-    const std::int64_t whole = formula.kind == Kind::kByX ? whole_[k].wish : 0, least = whole_[k].miss;
-    for (std::size_t x = 0; x < count; ++x)
-      parts_[x] = std::min(parts_[x], whole + wishes[x] + (missed ? std::max(least, misses[x]) * formula.weight : 0));
+    std::int64_t cost = here[k].wish;
+    if (formula.kind == Kind::kByX || formula.kind == Kind::kSumMissedAlongX)
+      cost += std::max(whole_[k].miss, here[k].miss) * formula.weight;
+    if (formula.kind == Kind::kByX) cost += whole_[k].wish;
+    least = std::min(least, cost);
   }
+  return least;
 }
 
 // The cases that may be the cheapest of their formula somewhere in the region. Most have a wrong state and are not.
@@ -123,84 +120,66 @@ void CandidateGrid::tabulate(const Region& region, std::span<const SoftFormula> 
 }
 
 void CandidateGrid::tabulate_columns() {
-  const std::size_t count = costs_[0].count;
-  column_bound_.assign(costs_[0].wishes_of(kHard), costs_[0].wishes_of(kHard) + count);
+  column_bound_.clear();
   column_least_.clear();
-  for (const Formula& formula : formulas_) {
-    if (formula.kind == Formula::Kind::kByRow) continue;
-    tabulate_parts(formula);
-    for (std::size_t x = 0; x < count; ++x) column_bound_[x] += parts_[x];
-    if (formula.kind == Formula::Kind::kBoth) column_least_.insert(column_least_.end(), parts_.begin(), parts_.end());
-  }
-  least_column_ = column_bound_.empty() ? kNoCost : *std::ranges::min_element(column_bound_);
-}
-
-void CandidateGrid::bound_rows(std::size_t z, std::int64_t base) {
-  using Kind = Formula::Kind;
-  const std::size_t count = costs_[1].count;
-  z_ = values[2][z], layer_ = z;
-  row_bounds_.assign(count, base + whole_[kHard].wish + costs_[2].at(kHard, z).wish);
-  const std::int64_t* const hard = costs_[1].wishes_of(kHard);
-  for (std::size_t y = 0; y < count; ++y) row_bounds_[y] += hard[y];
-  for (const Formula& formula : formulas_) {
-    if (formula.kind == Kind::kByX) continue;
-    parts_.assign(count, kNoCost);
-    const std::int64_t weight = formula.kind == Kind::kSumMissedAlongX ? 0 : formula.weight;
-    for (std::size_t k = formula.first; k < formula.end; ++k) {
-      const std::int64_t *const misses = costs_[1].misses_of(k), *const wishes = costs_[1].wishes_of(k);
-      const Cost of_layer = costs_[2].at(k, z);
-      const std::int64_t miss = std::max(whole_[k].miss, of_layer.miss), cost = whole_[k].wish + of_layer.wish;
-      for (std::size_t y = 0; y < count; ++y) parts_[y] = std::min(parts_[y], cost + wishes[y] + std::max(miss, misses[y]) * weight);
+  least_column_ = kNoCost;
+  for (std::size_t x = 0; x < values[0].size(); ++x) {
+    const Cost* const here = &costs_[0][x * cases_];
+    std::int64_t bound = here[kHard].wish;
+    for (const Formula& formula : formulas_) {
+      const std::int64_t part = part_by_x(formula, here);
+      if (formula.kind == Formula::Kind::kBoth) column_least_.push_back(part);
+      bound += part;
     }
-    for (std::size_t y = 0; y < count; ++y) row_bounds_[y] += parts_[y];
+    column_bound_.push_back(bound);
+    least_column_ = std::min(least_column_, bound);
   }
-  rows_.resize(count);
-  for (std::size_t y = 0; y < count; ++y) rows_[y] = y;
-  std::ranges::stable_sort(rows_, {}, [&](std::size_t y) { return row_bounds_[y]; });
 }
 
-void CandidateGrid::start_row(std::size_t y) {
-  y_ = values[1][y];
-  row_bound_ = row_bounds_[y];
+void CandidateGrid::start_row(std::size_t y, std::size_t z, std::int64_t base) {
+  using Kind = Formula::Kind;
+  y_ = values[1][y], z_ = values[2][z];
+  const Cost *const along_y = &costs_[1][y * cases_], *const along_z = &costs_[2][z * cases_];
   row_cases_.resize(cases_);
-  for (const std::size_t number : both_) {
-    Formula& formula = formulas_[number];
+  row_bound_ = base + whole_[kHard].wish + along_y[kHard].wish + along_z[kHard].wish;
+  for (Formula& formula : formulas_) {
+    if (formula.kind == Kind::kByX) continue;
     formula.least = kNoCost;
     for (std::size_t k = formula.first; k < formula.end; ++k) {
-      const Cost along_y = costs_[1].at(k, y), along_z = costs_[2].at(k, layer_);
-      const std::int64_t miss = std::max({whole_[k].miss, along_y.miss, along_z.miss}), cost = whole_[k].wish + along_y.wish + along_z.wish;
-      const std::int64_t least = cost + miss * formula.weight;
+      const std::int64_t miss = std::max({whole_[k].miss, along_y[k].miss, along_z[k].miss}),
+                         cost = whole_[k].wish + along_y[k].wish + along_z[k].wish;
+      const std::int64_t least = formula.kind == Kind::kSumMissedAlongX ? cost : cost + miss * formula.weight;
       formula.least = std::min(formula.least, least);
-      row_cases_[k] = {least, miss, cost, slanted_[k].any() ? &slanted_[k] : nullptr};
+      if (formula.kind == Kind::kBoth) row_cases_[k] = {least, miss, cost, slanted_[k].any() ? &slanted_[k] : nullptr};
     }
+    row_bound_ += formula.least;
   }
 }
 
 std::int64_t CandidateGrid::cost_in_row(std::size_t x, std::int64_t limit) const {
   std::int64_t cost = row_bound_ + column_bound_[x];  // at least; formula by formula its bounds give way to what it costs
   if (cost >= limit) return kNoCost;
+  const Cost* const here = &costs_[0][x * cases_];
   const Vec3 at{values[0][x], static_cast<Mm>(y_), static_cast<Mm>(z_)};
   for (const Partial& check : slanted_[kHard].checks) {
     if (check.at(at) < 0) return kNoCost;
   }
   for (const Wish& wish : slanted_[kHard].wishes) cost += wish.cost(at);
-  const std::int64_t* column_least = column_least_.data() + x;
+  const std::int64_t* column_least = column_least_.data() + x * both_.size();
   for (const std::size_t number : both_) {
     const Formula& formula = formulas_[number];
     std::int64_t least = kNoCost;
     for (std::size_t k = formula.first; k < formula.end; ++k) {
       const RowCase& one = row_cases_[k];
       if (one.least >= least) continue;
-      const Cost here = costs_[0].at(k, x);
-      std::int64_t miss = std::max(one.miss, here.miss), sum = one.cost + here.wish;
+      std::int64_t miss = std::max(one.miss, here[k].miss), sum = one.cost + here[k].wish;
       if (one.slanted != nullptr) {
         for (const Partial& form : one.slanted->checks) miss = std::max(miss, missing(form.at(at), form.scale));
         for (const Wish& wish : one.slanted->wishes) sum += wish.cost(at);
       }
       least = std::min(least, sum + miss * formula.weight);
     }
-    cost += least - formula.least - *column_least;
-    column_least += costs_[0].count;
+    cost += least - formula.least - *column_least++;
     if (cost >= limit) return kNoCost;
   }
   return cost;

@@ -22,13 +22,9 @@ class CandidateGrid {
   // REQUIRES: `values` are filled, and stay as they are; the region and the formulas outlive the next calls.
   void tabulate(const Region& region, std::span<const SoftFormula> soft);
 
-  // Of all positions of a layer, `base` added to each: the rows, those first that may hold the cheapest, and what none of a row's costs
-  // less than.
-  void bound_rows(std::size_t z, std::int64_t base);
-  std::span<const std::size_t> rows() const { return rows_; }
-  std::int64_t bound_of(std::size_t y) const { return row_bounds_[y] + least_column_; }
-  // REQUIRES: the rows of its layer are bounded.
-  void start_row(std::size_t y);
+  // Of all positions with these y and z, `base` added to each; none is cheaper than the bound.
+  void start_row(std::size_t y, std::size_t z, std::int64_t base);
+  std::int64_t row_bound() const { return row_bound_ + least_column_; }
   // What the x-th of the row costs; kNoCost: at least `limit`, or it is not allowed.
   std::int64_t cost_in_row(std::size_t x, std::int64_t limit) const;
 
@@ -38,14 +34,6 @@ class CandidateGrid {
   // By how much a case is missed, and what its wishes cost.
   struct Cost {
     std::int64_t miss = 0, wish = 0;
-  };
-  // The same of all cases along an axis: of one case at all coordinates, of the next one…
-  struct CostsAlong {
-    std::vector<std::int64_t> misses, wishes;
-    std::size_t count = 0;  // coordinates
-    std::int64_t* misses_of(std::size_t number) { return misses.data() + number * count; }
-    std::int64_t* wishes_of(std::size_t number) { return wishes.data() + number * count; }
-    Cost at(std::size_t number, std::size_t value) const { return {misses[number * count + value], wishes[number * count + value]}; }
   };
   // Its forms over several axes, which no table holds, and along which axes it has others.
   struct Slanted {
@@ -77,25 +65,21 @@ class CandidateGrid {
   void add_check(std::size_t number, const Partial& form);
   Formula::Kind kind_of(std::size_t first, std::size_t end) const;
   void tabulate_columns();
-  void tabulate_parts(const Formula& formula);
+  std::int64_t part_by_x(const Formula& formula, const Cost* here) const;
 
   std::size_t cases_ = 0;
-  std::array<CostsAlong, 3> costs_;
-  std::vector<Cost> whole_;       // of each case, whatever the position
-  std::vector<Slanted> slanted_;  // of each case, and after them such as were used before
-  std::vector<Along> along_;      // of each case
+  std::array<std::vector<Cost>, 3> costs_;  // along each axis: of all cases at the first coordinate, at the second…
+  std::vector<Cost> whole_;                 // of each case, whatever the position
+  std::vector<Slanted> slanted_;            // of each case, and after them such as were used before
+  std::vector<Along> along_;                // of each case
   std::vector<Formula> formulas_;
   std::vector<const Reduced*> picked_;      // the cases, from the first after the region's own on
   std::vector<CostRange> ranges_;           // of the cases of one formula
   std::vector<std::size_t> both_;           // numbers of those that depend on both
   std::vector<std::int64_t> column_bound_;  // by x: at least so much, whatever the row
-  std::vector<std::int64_t> column_least_;  // the share of each of `both_` in that: of one at all x, of the next one…
-  std::vector<std::int64_t> parts_;         // the share of one formula, by x
+  std::vector<std::int64_t> column_least_;  // the share of each of `both_` in that, by x
   std::int64_t least_column_ = 0;           // of the bounds by x
-  std::vector<std::int64_t> row_bounds_;    // of the layer at hand, without what x costs
-  std::vector<std::size_t> rows_;           // by that
   std::vector<RowCase> row_cases_;
-  std::size_t layer_ = 0;
   std::int64_t row_bound_ = 0, y_ = 0, z_ = 0;
 };
 

@@ -144,14 +144,13 @@ bool CandidateFinder::try_grid(Hunt& hunt, int state, std::int64_t base, Candida
       const bool here = f.lo[2] < grid.values[2][iz] && grid.values[2][iz] < f.hi[2];
       if (here && f.stripes == 0 && !gives_way(f, hunt.options)) taken_.add(f.lo, f.hi);
     }
-    grid.bound_rows(iz, base);
-    hunt.budget.count(static_cast<std::int64_t>(grid.values[0].size() * grid.values[1].size()));
-    for (const std::size_t iy : grid.rows()) {
+    for (std::size_t iy = 0; iy < grid.values[1].size(); ++iy) {
+      hunt.budget.count(static_cast<std::int64_t>(grid.values[0].size()));
       if (hunt.budget.stopped) return true;
-      if (grid.bound_of(iy) >= hunt.worst()) break;
       std::size_t ix = taken_.next_free(iy, 0);
       if (ix == grid.values[0].size()) continue;
-      grid.start_row(iy);
+      grid.start_row(iy, iz, base);
+      if (grid.row_bound() >= hunt.worst()) continue;
       for (; ix < grid.values[0].size(); ix = taken_.next_free(iy, ix + 1)) {
         const std::int64_t cost = grid.cost_in_row(ix, hunt.worst());
         if (cost == kNoCost) continue;
