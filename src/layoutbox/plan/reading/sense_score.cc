@@ -145,6 +145,8 @@ double SenseScore::of_having(const NounPhrase& host, const NounPhrase& thing, bo
   const bool opening = host.kind == NounKind::kWindow || host.kind == NounKind::kDoor;
   if (opening && thing.kind == NounKind::kObject && mount_of(thing) == Mount::kFloor) return weight::kUnlikely;
   if (host.kind != NounKind::kObject || thing.kind != NounKind::kObject) return 0;
+  // "a loveseat with two chairs, a table, ceiling fan, lots of ferns": the room's
+  if (mount_of(thing) == Mount::kCeiling && is_seat(catalog_, host)) return weight::kUnlikely;
   if (may_carry(catalog_, host, thing) && on_soft(host, thing)) return weight::kSoftHost;  // "armchairs …, and ferns by the window"
   if (may_carry(catalog_, host, thing) && small_host(host)) return weight::kUsual + weight::kSmallHost;
   if (may_carry(catalog_, host, thing)) return host.entry != nullptr && host.entry->thin ? -0.5 : weight::kUsual;

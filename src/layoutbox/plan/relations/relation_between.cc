@@ -14,10 +14,11 @@ using R = RelationType;
 using Direction = PhraseSense::Direction;
 
 // "between the sofa and the two armchairs": between the sofa and each of them.
-std::vector<std::vector<std::string>> RelationBuilder::between_pairs(const Link& link, const std::vector<std::string>& all) const {
+std::vector<std::vector<std::string>> RelationBuilder::between_pairs(const std::vector<int>& parted,
+                                                                     const std::vector<std::string>& all) const {
   constexpr std::size_t kMost = 3;
-  if (link.references.size() == 2) {
-    std::vector<std::string> one = ids(mention(link.references.front()).items), many = ids(mention(link.references.back()).items);
+  if (parted.size() == 2) {
+    std::vector<std::string> one = ids(mention(parted.front()).items), many = ids(mention(parted.back()).items);
     if (one.size() > many.size()) std::swap(one, many);
     if (one.size() == 1 && many.size() > 1 && many.size() <= kMost) {
       std::vector<std::vector<std::string>> pairs;
@@ -54,6 +55,7 @@ std::vector<int> RelationBuilder::parted_by(const Link& link) const {
   const bool them = link.last > 0 && says_one_of(document_, link.last - 1, {"them"});
   if ((!bare && !them) || link.references.size() != 1) return link.references;
   const Mention& one = mention(link.references.front());
+  if (const int across = seen_across(link); across >= 0) return {across, link.references.front()};
   const bool lonely = one.noun.kind == NounKind::kObject && one.items.size() == 1 && one.noun.last <= link.first;
   const std::vector<int> two = lonely ? last_two_before(link) : std::vector<int>{};
   const std::vector<int>& others = two.size() == 2 ? two : link.references;
@@ -78,6 +80,23 @@ std::vector<int> RelationBuilder::parted_by(const Link& link) const {
   return {before.targets[0], before.references[0]};
 }
 
+// "a sofa, two armchairs opposite, a coffee table between them": between these and what they are across from; −1: nothing is.
+int RelationBuilder::seen_across(const Link& link) const {
+  const Mention& group = mention(link.references.front());
+  const auto is_low = [&](int m) {
+    const CatalogEntry* entry = mention(m).noun.entry;
+    return entry != nullptr && (entry->is(Trait::kCoffeeTable) || entry->thin);
+  };
+  if (group.items.size() < 2 || !std::ranges::all_of(link.targets, is_low)) return -1;
+  for (const Link& before : document_.links) {
+    const bool looks = says(before.senses, R::kOpposite) || says(before.senses, R::kFacing);
+    if (!looks || before.targets.size() != 1 || before.references.size() != 1 || mention(before.targets[0]).items != group.items) continue;
+    const Mention& other = mention(before.references[0]);
+    if (other.items.size() == 1 && other.items != group.items && mount_of(other.noun) == Mount::kFloor) return before.references[0];
+  }
+  return -1;
+}
+
 // "The sofa is at the back wall, the TV stand at the front wall, a table halfway between": of the last two things that stand on the floor.
 std::vector<int> RelationBuilder::last_two_before(const Link& link) const {
   std::vector<int> two;
@@ -95,7 +114,8 @@ std::vector<int> RelationBuilder::last_two_before(const Link& link) const {
 
 void RelationBuilder::add_between(const Link& link, const std::vector<int>& targets) {
   std::vector<std::string> references;
-  for (const int m : parted_by(link)) {
+  const std::vector<int> parted = parted_by(link);
+  for (const int m : parted) {
     if (!mention(m).items.empty()) {
       const auto step = static_cast<std::size_t>(std::max(mention(m).noun.apart, 1));
       for (std::size_t i = 0; i < mention(m).items.size(); i += step) references.push_back(id(mention(m).items[i]));
@@ -112,7 +132,7 @@ void RelationBuilder::add_between(const Link& link, const std::vector<int>& targ
     const SceneObject* carrier = host.empty() ? nullptr : object_of(host);
     if (carrier != nullptr && may_carry(catalog_, noun_of_object(*carrier), noun_of_item(target))) add(link, R::kOn, {id(target)}, {host});
     if (link.first < link.last && document_.tokens[link.first].text == "across") add_seats_near(link, references, target);
-    for (const auto& pair : between_pairs(link, references)) {
+    for (const auto& pair : between_pairs(parted, references)) {
       if (are_flankers(pair, target))
         add(link, R::kEachSideOf, pair, {id(target)});
       else

@@ -250,7 +250,7 @@ void RelationBuilder::name_shelf(PhraseSense& sense, const NounPhrase& said, con
   };
   const bool level = one_of(said.head, WordSet::kShelfLevels) ||
                      says([](const std::string& word) { return one_of(singular_of(word), WordSet::kShelfLevels); });
-  if (sense.type != R::kOn || !level || host.head == "shelf" || host.entry == nullptr) return;
+  if (sense.type != R::kOn || !level || host.head == "shelf" || host.head == said.head || host.entry == nullptr) return;
   std::vector<std::string> shelves;
   bool inside = false;
   for (const SpaceFormula& space : host.entry->spaces) {

@@ -87,8 +87,9 @@ class RelationBuilder : private RelationWriter {
   void add_island(const Link& link, const std::vector<int>& members);
   void add_island_of_backs(const Link& link, const std::vector<int>& members);
   std::string carrier_of(const std::vector<std::string>& objects) const;
-  std::vector<std::vector<std::string>> between_pairs(const Link& link, const std::vector<std::string>& all) const;
+  std::vector<std::vector<std::string>> between_pairs(const std::vector<int>& parted, const std::vector<std::string>& all) const;
   std::vector<int> parted_by(const Link& link) const;
+  int seen_across(const Link& link) const;
   std::vector<int> last_two_before(const Link& link) const;
   void add_between(const Link& link, const std::vector<int>& targets);
   void add_seats_near(const Link& link, const std::vector<std::string>& seats, int table);
