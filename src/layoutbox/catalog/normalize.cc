@@ -51,6 +51,7 @@ Result<SceneGraph> normalize_scene(SceneGraph scene, const Catalog& catalog, con
     normalize_grids(context);
     normalize_visitors(context);
     normalize_support(context);
+    normalize_screens(context);
   }
   if (!context.errors.empty()) {
     Error all = context.errors.front();

@@ -102,11 +102,9 @@ void fold_over_seats(const Catalog& catalog, SceneGraph& scene) {
   }
 }
 
-}  // namespace
-
-void normalize_hosts(NormalizeContext& context) {
+// What is on, in and around each host.
+HostsById contents_of(NormalizeContext& context) {
   SceneGraph& scene = context.scene;
-  fold_over_seats(context.catalog, scene);
   ObjectsById by_id;
   for (const SceneObject& object : scene.objects) by_id.emplace(object.id, &object);
   HostsById hosts;
@@ -127,29 +125,51 @@ void normalize_hosts(NormalizeContext& context) {
     }
   }
   share_out_seats(context, hosts, by_id);
+  return hosts;
+}
+
+// The i-th thing is made so large that it holds all that.
+void make_room(NormalizeContext& context, std::size_t i, HostContents& contents) {
+  SceneGraph& scene = context.scene;
+  SceneObject& host = scene.objects[i];
+  if (!host.size || host.size_source != SizeSource::kCatalog || !host.catalog_id.empty()) return;
+  const CatalogEntry& entry = context.catalog.entry_or_nearest(host.category);
+  if (entry.thin) return;
+  const Size before = host.size->usual;
+  const Seating* seating = Groups::builtin().seating_at(context.catalog, entry, scene.room.type);
+  if (seating == nullptr || seating->seat.empty()) contents.seat = 0;  // one does not draw up to a low table
+  grow_with_seats(context, entry, contents, host);
+  const Size size = size_that_holds(entry, host, contents);
+  narrow_screens(scene, contents, size.width);
+  if (size == before) return;
+  host.size->usual = size;
+  host.size->greatest.width = std::max(host.size->greatest.width, size.width);
+  host.size->greatest.depth = std::max(host.size->greatest.depth, size.depth);
+  context.note("filled",
+               fmt::format("\"{}\" is {} wide and {} deep, so that what it is to hold finds room", host.id, metres_text(size.width),
+                           metres_text(size.depth)),
+               fmt::format("/furniture/{}/dims", i));
+}
+
+}  // namespace
+
+void normalize_hosts(NormalizeContext& context) {
+  SceneGraph& scene = context.scene;
+  fold_over_seats(context.catalog, scene);
+  HostsById hosts = contents_of(context);
   seat_at_one_side(scene, hosts);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    SceneObject& host = scene.objects[i];
-    const auto found = hosts.find(host.id);
-    if (found == hosts.end() || !host.size || host.size_source != SizeSource::kCatalog || !host.catalog_id.empty()) continue;
-    const CatalogEntry& entry = context.catalog.entry_or_nearest(host.category);
-    if (entry.thin) continue;
-    const Size before = host.size->usual;
-    const Seating* seating = Groups::builtin().seating_at(context.catalog, entry, scene.room.type);
-    if (seating == nullptr || seating->seat.empty()) found->second.seat = 0;  // one does not draw up to a low table
-    grow_with_seats(context, entry, found->second, host);
-    const Size size = size_that_holds(entry, host, found->second);
-    narrow_screens(scene, found->second, size.width);
-    if (size == before) continue;
-    host.size->usual = size;
-    host.size->greatest.width = std::max(host.size->greatest.width, size.width);
-    host.size->greatest.depth = std::max(host.size->greatest.depth, size.depth);
-    context.note("filled",
-                 fmt::format("\"{}\" is {} wide and {} deep, so that what it is to hold finds room", host.id, metres_text(size.width),
-                             metres_text(size.depth)),
-                 fmt::format("/furniture/{}/dims", i));
+    if (const auto found = hosts.find(scene.objects[i].id); found != hosts.end()) make_room(context, i, found->second);
   }
   stretch_benches(context);
+}
+
+void normalize_screens(NormalizeContext& context) {
+  HostsById hosts = contents_of(context);
+  for (std::size_t i = 0; i < context.scene.objects.size(); ++i) {
+    const auto found = hosts.find(context.scene.objects[i].id);
+    if (found != hosts.end() && found->second.screens.size() > 1) make_room(context, i, found->second);
+  }
 }
 
 }  // namespace layoutbox

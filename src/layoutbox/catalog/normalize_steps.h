@@ -35,6 +35,9 @@ void normalize_objects(NormalizeContext& context);
 // Larger usual sizes, within their ranges, for furniture that must hold more than usual. REQUIRES: sizes are known.
 void normalize_hosts(NormalizeContext& context);
 
+// Desks on which it is concluded that several screens stand have room for them side by side.
+void normalize_screens(NormalizeContext& context);
+
 // What is wider than the seat that it lies on, and of an assumed size, is folded: a blanket over an armchair.
 void fold_over_seat(const Catalog& catalog, const SceneObject& seat, SceneObject& thing);
 

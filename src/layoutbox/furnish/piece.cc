@@ -103,7 +103,8 @@ void Piece::take_part_look(const CatalogEntry& entry) {
   if (slab != nullptr && slab->material != nullptr && std::ranges::find(wish_.materials, slab->material) != wish_.materials.end())
     wish_ = {};
   const PartLook* look = part == entry.shape.words.end() || color_asked() || !wish_.materials.empty() ? nullptr : part_look(part->second);
-  if (look == nullptr || (look->material != nullptr && look->material->surface.alpha < 1)) return;  // doors of glass leave the rest as it is
+  if (look == nullptr || (look->material != nullptr && look->material->surface.alpha < 1))
+    return;  // doors of glass leave the rest as it is
   if (!look->colors.empty()) wish_.color = look->colors.front();
   if (look->material != nullptr) wish_.materials.push_back(look->material);
 }

@@ -120,7 +120,7 @@ void shown_goods(Piece& p) {
 void display_case(Piece& p) {
   const bool cabinet = p.count("doors", 0) > 0;
   // What is called a glass case has a body of something else; without it nothing of it would be seen.
-  const int base = p.says("glass") && !p.color_asked() ? p.frame("lacquer") : p.main(cabinet ? "oak" : "lacquer"), glass = p.named("glass");
+  const int base = p.solid_main(cabinet ? "oak" : "lacquer"), glass = p.named("glass");
   const GlassCase c = glass_case_of(p);
   const double x = c.x, y = c.y, t = c.frame, low = c.low, roof = c.roof;
   case_shell(p, c, base, glass, !cabinet);
