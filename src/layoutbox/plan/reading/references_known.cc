@@ -4,6 +4,7 @@
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/catalog/word_lists.h"
 #include "layoutbox/plan/phrases/reader_words.h"
 #include "layoutbox/plan/reading/references.h"
 #include "layoutbox/plan/words/word_sets.h"
@@ -94,6 +95,17 @@ bool is_anothers(const NounPhrase& wanted, const NounPhrase& item) {
   return item.name.find("'s ") != std::string::npos && item.name.find(wanted.owner_word) == std::string::npos;
 }
 
+// "a piano … beside the instrument", "a fireplace … at the hearth".
+bool is_general_for(const Catalog& catalog, const NounPhrase& wanted, const NounPhrase& item) {
+  static const WordList kWords = word_list("words_kinds").at("general");
+  if (wanted.determiner != Determiner::kDefinite || wanted.is_plural() || wanted.name != wanted.head || item.entry == nullptr) return false;
+  if (!kWords.contains(wanted.head)) return false;
+  for (const WordList::Member kind : kWords.at(wanted.head)) {
+    if (catalog.is_a(item.entry->id, kind.value.text())) return true;
+  }
+  return false;
+}
+
 // "a bar table … on the bar": short for it, where both have a top.
 bool is_short_for(const NounPhrase& wanted, const NounPhrase& item) {
   return wanted.determiner == Determiner::kDefinite && wanted.exact && item.entry != nullptr && wanted.entry->is(Trait::kCounter) &&
@@ -148,7 +160,7 @@ int References::fit(const NounPhrase& wanted, const NounPhrase& item) const {
   if (same_head && wanted.exact && item.exact && catalog.is_a(wanted.entry->id, item.entry->id) &&
       wanted.determiner == Determiner::kDefinite)
     return 1;
-  return 0;
+  return is_general_for(catalog, wanted, item) ? 1 : 0;
 }
 
 std::vector<int> References::known(const NounPhrase& noun) const {
