@@ -145,7 +145,9 @@ class StyleReader {
   std::size_t read_at(std::size_t at) {
     if (const std::size_t passed = name_of_thing(words_, at); passed > 0) return passed;
     for (std::size_t n = std::min(kLongestPhrase, words_.size() - at); n > 0; --n) {
-      const auto found = styles().find(joined(words_, at, n, '_'));
+      std::string phrase = joined(words_, at, n, '_');
+      if (!styles().contains(phrase) && phrase.ends_with("'s")) phrase.resize(phrase.size() - 2);  // "a detective's office"
+      const auto found = styles().find(phrase);
       const bool of_people = at > 0 && is_in_list("not_styles_after", words_[at - 1]);  // "in their 60s"
       if (found == styles().end() || of_people) continue;
       take(found->second, at, n);

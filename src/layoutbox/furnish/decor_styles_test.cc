@@ -99,6 +99,17 @@ TEST(DecorStyles, PlainRoomsHaveAStyleInTheirWay) {
   EXPECT_NE(decor_for("A Moroccan bathroom.", {}, "bathroom").wall_finish, decor_for("A bathroom.", {}, "bathroom").wall_finish);
 }
 
+TEST(DecorStyles, WhoseItIsMayNameAStyle) {
+  EXPECT_EQ(decor_for("INT. DETECTIVE'S OFFICE - NIGHT, 1947. A desk.", {"desk"}, "office").style, "noir");
+  EXPECT_NE(decor_for("A baker's office with a desk.", {"desk"}, "office").style, "noir");
+}
+
+// Colors that are told after a floor are its own, and what somebody likes is the room's.
+TEST(DecorStyles, ColorsGoToWhatTheyAreSaidOf) {
+  EXPECT_TRUE(room_look("A barber shop. Checkerboard floor, black and white, that has to stay.").colors.empty());
+  EXPECT_EQ(room_look("A bedroom for my mother. She likes lilac.").colors, std::vector<Color>{color_called("lilac")});
+}
+
 TEST(DecorStyles, AYearIsOfAnAge) {
   EXPECT_EQ(decor_for("A parlour from 1890 with a sofa.").style, "victorian");
   EXPECT_EQ(decor_for("A parlour of the 1880's.").style, "victorian");

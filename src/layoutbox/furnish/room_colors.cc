@@ -73,8 +73,9 @@ ColorScheme scheme_of_clause(std::string_view clause, bool opens) {
     const std::size_t end = std::min(clause.find(',', at), clause.size());
     const std::string_view item = clause.substr(at, end - at);
     const std::vector<std::string> before = words_of(clause.substr(0, at));
-    const bool own =
-        (end != clause.size() || at > 0) && (before.empty() || !is_look_word(before.back()));  // "a rug in red, blue and white"
+    // "a rug in red, blue and white", "a checkered floor, black and white"
+    const bool of_last = !before.empty() && (is_look_word(before.back()) || is_in_list("surface_words", before.back()));
+    const bool own = (end != clause.size() || at > 0) && !of_last;
     const std::vector<std::string> words = words_of(item);
     const bool of_all = std::ranges::any_of(words, [](const std::string& word) { return is_in_list("color_markers", word); });
     if (ColorScheme looks = only_looks(item); of_all || (own && looks.size() > 1)) said = std::move(looks);

@@ -16,6 +16,11 @@ bool is_one_of(const Token& token, std::initializer_list<std::string_view> words
   return std::ranges::find(words, std::string_view(token.text)) != words.end();
 }
 
+// "A checkered floor, black and white": its own.
+bool is_surface(const Token& token) {
+  return is_one_of(token, {"floor", "floors", "flooring", "tiles", "tiling", "carpet", "rug", "wallpaper", "curtains", "walls", "ceiling"});
+}
+
 bool is_shade(const Token& token) { return is_one_of(token, {"light", "dark", "pale", "soft", "bright", "deep", "warm"}); }
 
 // "white and oak", "mostly pale blue tones": a row of colours and materials from `at` on. Empty where something else is among them.
@@ -149,7 +154,7 @@ class RoomColors {
       return lexicon_.find(document_.tokens, at, WordClass::kColor).length > 0 ||
              lexicon_.find(document_.tokens, at, WordClass::kMaterial).length > 0;
     };
-    if (first < 2 || is_look(first - 2)) return;
+    if (first < 2 || is_look(first - 2) || is_surface(document_.tokens[first - 2])) return;
     const Scheme scheme = scheme_at(lexicon_, document_.tokens, first);
     const std::size_t end = first + scheme.length;
     if (!scheme.walls.empty() && says_several(scheme) && (ends(document_.tokens, end) || document_.tokens[end - 1].text == ","))
