@@ -59,12 +59,19 @@ Surface laid(const SurfaceWish& wish) {
   return surface;
 }
 
+// Black walls and floors are a little lighter than black things before them.
+Color seen_in_picture(const Color& color) {
+  constexpr double kDark = 0.18, kLifted = 0.3;
+  return std::max({color.r, color.g, color.b}) < kDark ? mixed(color, {0.36, 0.36, 0.38}, kLifted) : color;
+}
+
 Surface surface_for(const Layout& layout, const std::string& asked, std::string_view usual, bool is_floor) {
   const Material* own = material_of(layout, asked);
   const SurfaceWish wish = read_wish(asked);
   const NamedSurface* named = &named_surface(usual);
   if (!wish.materials.empty()) named = &named_surface(is_floor ? floor_of(*wish.materials.front()) : wall_of(*wish.materials.front()));
-  const std::optional<Color> color = own != nullptr && own->color ? own->color : wish.color;
+  std::optional<Color> color = own != nullptr && own->color ? own->color : wish.color;
+  if (color && (own == nullptr || !own->color)) color = seen_in_picture(*color);
   Surface surface = color ? colored(*named, *color) : is_floor && !wish.materials.empty() ? laid(wish) : named->surface;
   if (own == nullptr) return surface;
   surface.name = own->id;

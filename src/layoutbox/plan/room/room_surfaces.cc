@@ -35,7 +35,7 @@ std::string finish_of(const Lexicon& lexicon, const Document& document, const No
   const bool colored = !material.empty() && std::ranges::find(noun.attribute_classes, WordClass::kMaterial) == noun.attribute_classes.end();
   for (std::size_t i = noun.first; colored && i < noun.last && i < document.tokens.size(); ++i) {
     const std::size_t length = lexicon.find(document.tokens, i, WordClass::kMaterial).length;
-    if (length > 0 && lexicon.find(document.tokens, i, WordClass::kColor).length == 0) add(text_of(document.tokens, i, length));
+    if (length > 0 && lexicon.find(document.tokens, i, WordClass::kColor).length == 0) add(text_of(document.tokens, i, i + length));
   }
   for (std::size_t i = noun.first; material.empty() && i < noun.last && i < document.tokens.size(); ++i) {
     const Match color = lexicon.find(document.tokens, i, WordClass::kColor), stuff = lexicon.find(document.tokens, i, WordClass::kMaterial);
