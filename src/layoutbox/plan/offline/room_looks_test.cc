@@ -144,6 +144,10 @@ TEST(RoomLooks, FinishesOfWallsAndFloors) {
       {"A living room, one wall is exposed brick, a sofa.", "back: exposed brick"},
       {"A loft with brick on one wall and a leather sofa.", "back: brick"},
       {"A cabin with a stone fireplace and a sofa. Log walls.", "walls: log walls"},
+      {"A kitchen with a table, floor red tiles.", "floor: red tiles floor"},
+      {"A barber shop. Checkerboard floor, black and white, that has to stay.", "floor: black checkerboard floor"},
+      {"A studio flat with a bed. White walls, light laminate.", "walls: white; floor: light laminate floor"},
+      {"A cafe with a counter on the back wall, blue tiles behind the counter.", "back: blue tiles"},
       {"A bathroom with a bathtub. Patterned cement tiles on the floor and green zellige tiles on the walls.",
        "walls: green zellige tiles; floor: patterned cement tiles floor"},
   };

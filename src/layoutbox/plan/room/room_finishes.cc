@@ -88,6 +88,8 @@ class FinishReader {
     std::size_t first = at;
     while (first > 0 && describes_finish(lexicon_, document_.tokens[first - 1]) && !document_.tokens[first - 1].ends_sentence) --first;
     if (first == at && is_finish_word(document_, at, "described")) return 0;  // "a tin of paint" is on no wall, "dark green paint" is
+    // "walls white, floor red tiles": said of that floor
+    if (first > 0 && first < at && says_one_of(document_, first - 1, {"floor", "floors", "flooring", "walls"})) return 0;
     // "six tatami mats", "the tiles of the table": things, or parts of one
     if (first > 0 &&
         (document_.tokens[first - 1].kind == Token::Kind::kNumber || lexicon_.is(document_.tokens[first - 1], WordClass::kNumber)))
