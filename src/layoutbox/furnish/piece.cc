@@ -195,16 +195,14 @@ bool Piece::is_free(const Box& b) const {
   });
 }
 
-// "Everything is black": said of cloth and wood, unless woods were said with it.
-bool Piece::takes_room_color(const NamedSurface& surface) const {
-  const bool wood = surface.kind == "wood" || surface.surface.name == "lacquer";
-  return decor_.all && decor_.colors_said && !wish_.color && own_ == nullptr && (surface.soft() || (wood && !decor_.woods_said));
-}
-
-// "Pink and white": furniture is white, of which nobody said more.
-bool Piece::takes_room_paint(const NamedSurface& surface) const {
-  const bool wood = surface.kind == "wood" && !surface.tint;
-  return decor_.paint && !wish_.color && own_ == nullptr && (wood || surface.surface.name == "lacquer");
+// Its own color is the room's: "everything is black" is said of cloth and wood, unless woods were said with it; "pink and white" of
+// furniture, which is painted white. `unsaid`: nobody said what it is of.
+std::optional<Color> Piece::color_of_room(const NamedSurface& surface, bool unsaid) const {
+  const bool wood = surface.kind == "wood", lacquer = surface.surface.name == "lacquer", free = !wish_.color && own_ == nullptr;
+  const bool all = decor_.all && decor_.colors_said && (surface.soft() || ((wood || lacquer) && !decor_.woods_said));
+  if (unsaid && free && all) return accent();
+  if (unsaid && free && decor_.paint && ((wood && !surface.tint) || lacquer)) return decor_.paint;
+  return surface.surface.name == "leather" && !color_asked() ? decor_.leather : std::nullopt;
 }
 
 Surface Piece::asked(std::string_view usual, bool with_color) const {
@@ -226,9 +224,7 @@ Surface Piece::asked(std::string_view usual, bool with_color) const {
       fitting = &named_surface(with_color && now.kind == "metal" ? "painted_metal" : wanted_name);
   }
   const NamedSurface& chosen = fitting != nullptr ? *fitting : like;
-  if (said.empty() && takes_room_color(chosen)) return colored(chosen, accent());
-  if (said.empty() && takes_room_paint(chosen)) return colored(chosen, *decor_.paint);
-  if (chosen.surface.name == "leather" && decor_.leather && !color_asked()) return colored(chosen, *decor_.leather);
+  if (const std::optional<Color> color = color_of_room(chosen, said.empty())) return colored(chosen, *color);
   Surface surface = chosen.surface;
   if (!with_color) {
     // A colour said together with a hard material is that material's: "white wooden bed".

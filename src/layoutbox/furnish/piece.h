@@ -124,8 +124,7 @@ class Piece {
   void leave_to_parts();
   std::string_view wanted(std::string_view name) const;
   int look_surface(const PartLook& look, std::string_view usual);
-  bool takes_room_color(const NamedSurface& surface) const;
-  bool takes_room_paint(const NamedSurface& surface) const;
+  std::optional<Color> color_of_room(const NamedSurface& surface, bool unsaid) const;
   Surface asked(std::string_view usual, bool with_color) const;
 
   const PlacedObject& object_;

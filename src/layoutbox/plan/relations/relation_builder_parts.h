@@ -81,6 +81,7 @@ class RelationBuilder : private RelationWriter {
                      const NounPhrase& neighbour);
   std::vector<int> by_tables(const std::vector<int>& targets) const;
   [[nodiscard]] std::vector<int> by_shares(const std::vector<int>& targets) const;
+  void face_across(const Link& link, const std::vector<int>& things, const PhraseSense& sense);
   void leave_room_for_knees(const std::vector<int>& seats);
   void add_each_other(const Link& link, const std::vector<int>& said);
   bool are_desks(const std::vector<int>& items) const;

@@ -93,6 +93,15 @@ void RelationBuilder::leave_room_for_knees(const std::vector<int>& seats) {
   scene_.relations.back().parameters.min = kToPass;
 }
 
+// Each has one of the other half across.
+void RelationBuilder::face_across(const Link& link, const std::vector<int>& things, const PhraseSense& sense) {
+  const NounPhrase& kind = noun_of_item(things.front());
+  for (std::size_t t = 0; t < things.size(); ++t)
+    add(link, sense.type, {id(things[t])}, {id(things[(t + things.size() / 2) % things.size()])}, sense);
+  if (kind.rows == 0 && are_desks(things)) add_island(link, things);
+  if (is_seat(catalog_, kind) && things.size() % 2 == 0) leave_room_for_knees(things);
+}
+
 void RelationBuilder::add_each_other(const Link& link, const std::vector<int>& said) {
   if (said.size() < 2 || link.senses.empty()) return;
   const std::vector<int> targets = by_tables(said);
@@ -103,10 +112,7 @@ void RelationBuilder::add_each_other(const Link& link, const std::vector<int>& s
   const bool in_pairs = targets.size() > 2 && other.count == 2;
   // "two rows of desks facing each other", "four armchairs face each other": each has one across; of an odd number they go round.
   if (sense->type == R::kFacing && targets.size() > 2 && !in_pairs) {
-    for (std::size_t t = 0; t < targets.size(); ++t)
-      add(link, sense->type, {id(targets[t])}, {id(targets[(t + targets.size() / 2) % targets.size()])}, *sense);
-    if (other.rows == 0 && are_desks(targets)) add_island(link, targets);
-    if (is_seat(catalog_, other) && targets.size() % 2 == 0) leave_room_for_knees(targets);
+    face_across(link, targets, *sense);
     return;
   }
   const bool back_to_back =
