@@ -88,6 +88,9 @@ double Decoder::share_kind_score(const State& state, int member, int u, Referent
     const bool seats = is_seat(lexicon_.catalog(), noun) && is_seat(lexicon_.catalog(), before);
     if ((lies && carried(noun) && carried(before)) || ((around || lies) && seats)) return weight::kShareKind;
   }
+  // "mugs, bowls and a jar on the countertop"
+  const bool top = by.kind == NounKind::kPart && one_of(by.head, {"tabletop", "countertop", "worktop", "desktop", "surface", "top"});
+  if (listed && lies && top && mount_of(noun) == Mount::kSurface && mount_of(before) == Mount::kSurface) return weight::kShareKind;
   // "shoes, shirts and cans on the floor": small things that lie about
   const bool floor = by.kind == NounKind::kFloor || (host.kind == NounKind::kObject && host.entry != nullptr && host.entry->thin);
   const auto lies_about = [&](const NounPhrase& n) {

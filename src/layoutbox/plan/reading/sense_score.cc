@@ -121,7 +121,7 @@ double SenseScore::of_part(const NounPhrase& part, const NounPhrase& owner) cons
   if (head == "tabletop")
     return is_table(catalog_, owner) && !desk && !counter ? weight::kOwnPart : is_table(catalog_, owner) ? 0.5 : weight::kNotItsPart;
   if (head == "desktop" || head == "worktop") return desk ? weight::kOwnPart : is_table(catalog_, owner) ? 0.5 : weight::kNotItsPart;
-  if (head == "countertop") return counter ? weight::kOwnPart : is_table(catalog_, owner) ? 0.5 : weight::kNotItsPart;
+  if (head == "countertop") return counter ? 2 * weight::kOwnPart : is_table(catalog_, owner) ? 0.5 : weight::kNotItsPart;
   if (one_of(head, {"top", "surface", "half", "third", "quarter"})) {
     const bool flat = owner.entry != nullptr && owner.entry->top_carries && mount_of(owner) == Mount::kFloor && !owner.entry->thin;
     return flat ? 0.8 : weight::kNotItsPart / 2;
