@@ -80,7 +80,7 @@ void picture(Piece& p) {
   const Framing frame = framing(p, subject);
   // Posters and canvases have no frame.
   const bool bare = said == "poster" || said == "canvas";
-  const double t = bare ? 0 : std::min({frame.width, p.w * 0.2, p.h * 0.2}), y = -p.d / 2 + std::min(bare ? 0.003 : 0.006, p.d * 0.45);
+  const double t = bare ? 0 : std::min({frame.width, p.w * 0.2, p.h * 0.2}), y = -p.d / 2 + std::min(bare ? 0.0012 : 0.006, p.d * 0.45);
   if (!bare) picture_frame(p, frame.gilded && !p.color_asked() ? p.tinted("lacquer", {0.62, 0.47, 0.22}) : p.frame("walnut"), t);
   const double x0 = -p.w / 2 + t, x1 = p.w / 2 - t, z0 = t, z1 = p.h - t;
   p.add(p.main("paper"), box(sides(x0, x1, y, p.d / 2 - 0.001, z0, z1), 0));
