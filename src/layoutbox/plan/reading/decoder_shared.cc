@@ -91,6 +91,9 @@ double Decoder::share_kind_score(const State& state, int member, int u, Referent
   // "mugs, bowls and a jar on the countertop"
   const bool top = by.kind == NounKind::kPart && one_of(by.head, {"tabletop", "countertop", "worktop", "desktop", "surface", "top"});
   if (listed && lies && top && mount_of(noun) == Mount::kSurface && mount_of(before) == Mount::kSurface) return weight::kShareKind;
+  // "a clock, a mirror and a painting on the back wall"
+  const bool hung = by.kind == NounKind::kWall && says(senses, RelationType::kOnWall);
+  if (listed && hung && mount_of(noun) == Mount::kWall && mount_of(before) == Mount::kWall) return weight::kShareKind;
   // "shoes, shirts and cans on the floor": small things that lie about
   const bool floor = by.kind == NounKind::kFloor || (host.kind == NounKind::kObject && host.entry != nullptr && host.entry->thin);
   const auto lies_about = [&](const NounPhrase& n) {
