@@ -266,6 +266,7 @@ class RelationBuilder : private RelationWriter {
   void sit_in_u();
   void sit_across_table();
   void leave_room_to_serve();
+  void leave_room_at_wall();
   void sit_at_windows();
   void park_cars();
   void sit_before_mirrors();

@@ -288,6 +288,7 @@ void RelationBuilder::add_habits() {
   sit_in_u();
   sit_across_table();
   leave_room_to_serve();
+  leave_room_at_wall();
   sit_at_windows();
   park_cars();
   sit_before_mirrors();

@@ -128,6 +128,20 @@ void RelationBuilder::leave_room_to_serve() {
   }
 }
 
+// "A reception desk on the far wall": whoever serves there sits between it and the wall.
+void RelationBuilder::leave_room_at_wall() {
+  constexpr Mm kToSit = 1300;
+  for (Relation& wall : scene_.relations) {
+    if (wall.type != R::kAgainstWall || wall.targets.size() != 1) continue;
+    const SceneObject* counter = object_of(wall.targets[0]);
+    const CatalogEntry* entry = counter == nullptr ? nullptr : catalog_.find(counter->category);
+    const bool served = entry != nullptr && entry->is(Trait::kOpenToRoom) && entry->is(Trait::kDeskLike) &&
+                        std::ranges::find(entry->used_sides, Side::kBack) != entry->used_sides.end();
+    if (served && (words_.have(wall, "on") || words_.have(wall, "at")) && wall.parameters.gap.value_or(0) < kToSit)
+      wall.parameters.gap = kToSit;
+  }
+}
+
 // Cars stand nose to the garage door, side by side.
 void RelationBuilder::park_cars() {
   constexpr Mm kTwoAbreast = 5500;
