@@ -196,7 +196,6 @@ void RelationBuilder::sit_before_mirrors() {
 
 // "a salon chair faces each console": it stands there, where nothing else says where it does.
 void RelationBuilder::sit_at_what_they_face(const std::vector<std::string>& seats) {
-  constexpr Mm kAtMirror = 700;
   const std::size_t said = scene_.relations.size();
   for (std::size_t r = 0; r < said; ++r) {
     const Relation faces = scene_.relations[r];
@@ -205,8 +204,7 @@ void RelationBuilder::sit_at_what_they_face(const std::vector<std::string>& seat
       continue;
     const auto stands = [&](std::size_t o) { return stands_beside(scene_.relations[o].type) || scene_.relations[o].type == R::kInFrontOf; };
     if (std::ranges::any_of(relations_of(faces.targets[0]), stands)) continue;
-    conclude(R::kInFrontOf, faces.targets, faces.references, "who looks into a mirror sits at it");
-    scene_.relations.back().parameters.max = kAtMirror;
+    conclude(R::kInFrontOf, faces.targets, faces.references, "who looks into a mirror sits at it");  // how near: `stand_before_middles`
   }
 }
 
