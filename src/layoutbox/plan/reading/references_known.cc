@@ -5,6 +5,7 @@
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/catalog/word_lists.h"
+#include "layoutbox/plan/phrases/knowledge.h"
 #include "layoutbox/plan/phrases/reader_words.h"
 #include "layoutbox/plan/reading/references.h"
 #include "layoutbox/plan/words/word_sets.h"
