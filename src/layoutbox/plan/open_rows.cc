@@ -151,12 +151,13 @@ class OpenRows {
     }
     std::erase_if(parts, [](const Part& part) { return part.room < 2; });
     std::ranges::stable_sort(parts, std::greater{}, &Part::room);
+    if (lining.one_wall && parts.size() > 1) parts.erase(parts.begin() + 1, parts.end());
     const auto all = [&] {
       return std::accumulate(parts.begin(), parts.end(), std::size_t{0}, [](auto n, const Part& p) { return n + p.room; });
     };
     // What is counted takes no more walls than it needs: the others are for what else stands in the room.
     while (!lining.open && parts.size() > 2 && (all() - parts.back().room) * 3 / 4 >= lining.ids.size()) parts.pop_back();
-    if (parts.size() < 2 || (!lining.open && lining.ids.size() < 2 * parts.size())) return;
+    if (parts.empty() || (parts.size() < 2 && !lining.one_wall) || (!lining.open && lining.ids.size() < 2 * parts.size())) return;
     std::vector<std::string> ids = lining.ids;
     while (lining.open && ids.size() < all() && added_ < kMostAdded) ids.push_back(twin_of(ids.front()));
     std::size_t next = 0, before = 0;

@@ -42,6 +42,7 @@ struct CloseReading {
 struct Lining {
   std::vector<std::string> ids;
   bool open = false;
+  bool one_wall = false;
 };
 
 struct Plan {

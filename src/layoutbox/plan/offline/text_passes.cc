@@ -10,6 +10,7 @@
 #include "layoutbox/plan/passes/clusters.h"
 #include "layoutbox/plan/passes/corrections.h"
 #include "layoutbox/plan/passes/courtesy.h"
+#include "layoutbox/plan/passes/each_after.h"
 #include "layoutbox/plan/passes/examples.h"
 #include "layoutbox/plan/passes/for_each.h"
 #include "layoutbox/plan/passes/forward_counts.h"
@@ -71,6 +72,8 @@ constexpr WordPass kWordPasses[] = {
     {"said counts", read_said_counts, "An office with desks (qty 4).", "An office with four desks."},
     {"courtesies", read_courtesies, "A bedroom with a bed, and if you could also put in a desk.", "A bedroom with a bed and a desk."},
     {"requests", read_requests, "I was hoping to have a bed in the corner.", "A bed in the corner."},
+    {"each after", read_each_after, "A hall with four tables with two chairs each, arranged in two rows.",
+     "A hall with four tables arranged in two rows, each with two chairs."},
     {"bans", read_bans, "A bedroom with a bed and a desk. Nothing in front of the window.",
      "A bedroom with a bed and a desk. Keep the window free."},
     {"modals", read_modals, "A bathroom. A cart shall carry four towels.", "A bathroom. A cart carries four towels."},

@@ -231,7 +231,8 @@ class BanReader : public BanPlaces {
     if (is(at, {"all"}) && is(at + 1, {"the"}) && is(at + 2, {"way"})) at += 2;
     const bool all = is(at, {"all", "way"});
     if (all) ++at;
-    if (!is(at, {"round", "around"}) || (!all && at == i + 1)) return false;
+    const bool of_it = is(at + 1, {"it", "them"}) && i > 0;  // "a saw in the middle with space around it"
+    if (!is(at, {"round", "around"}) || (!all && at == i + 1 && !of_it)) return false;
     ++at;
     Ban ban;
     ban.kind = Ban::Kind::kFreeSide;

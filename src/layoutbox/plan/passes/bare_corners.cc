@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "layoutbox/base/words.h"
 #include "layoutbox/plan/phrases/splice.h"
 
 namespace layoutbox::offline {
@@ -71,11 +72,36 @@ void complete_bare_walls(const Lexicon& lexicon, Document& document, std::vector
   splice(document, skip, std::move(words));
 }
 
+// "on the opposite wall" at `at`, where a clause begins.
+bool begins_with_wall(const Document& document, std::size_t at) {
+  if (!says_one_of(document, at, {"on", "along", "against", "at"})) return false;
+  if (at > 0 && !document.tokens[at - 1].ends_sentence && document.tokens[at - 1].kind != Token::Kind::kPunctuation &&
+      !says_one_of(document, at - 1, {"and", "then"}))
+    return false;
+  return says_one_of(document, at + 1, {"the"}) && says_one_of(document, at + 3, {"wall"}) && !document.tokens[at + 3].ends_sentence;
+}
+
+// "on the opposite wall wardrobe, on the right wall desk": the thing stands there, and is no wall desk.
+void part_things_from_walls(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
+  std::vector<Splice> words;
+  constexpr std::size_t kPlace = 4;  // "on the right wall"
+  for (std::size_t i = 0; i + kPlace < document.tokens.size(); ++i) {
+    if (!begins_with_wall(document, i)) continue;
+    const Match thing = lexicon.find(document.tokens, i + kPlace, WordClass::kObject);
+    const auto stands = [](const Meaning& m) { return m.entry != nullptr && m.entry->mount == Mount::kFloor; };
+    if (thing.length == 0 || !std::ranges::any_of(thing.meanings, stands)) continue;
+    const std::string& last = document.tokens[i + kPlace + thing.length - 1].text;
+    words.push_back({i + kPlace, word_token(last == singular_of(last) ? "a" : "some")});
+  }
+  splice(document, skip, std::move(words));
+}
+
 }  // namespace
 
 void complete_bare_corners(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
   read_stage_words(document, skip);
   complete_bare_walls(lexicon, document, skip);
+  part_things_from_walls(lexicon, document, skip);
   std::vector<Splice> words;
   for (std::size_t i = 0; i + 1 < document.tokens.size(); ++i) {
     if (skip[i] || !names_corner(lexicon, document, i)) continue;

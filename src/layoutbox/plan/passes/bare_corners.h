@@ -1,5 +1,5 @@
 // Corners of which only the two sides are said: "a desk back right", "in the front left"; walls and sides without a place word: "sofa left
-// wall, desk right side".
+// wall, desk right side"; things right behind such a place: "on the left wall wardrobe".
 #pragma once
 
 #include "layoutbox/plan/phrases/document.h"

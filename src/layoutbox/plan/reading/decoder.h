@@ -178,6 +178,7 @@ class Decoder {
   bool may_come_with(const NounPhrase& host, const NounPhrase& noun) const;
   bool placed_by_unsaid(int u) const;
   bool placed_by_it(int u) const;
+  bool placed_by_host(int u) const;
   bool is_fresh(int u) const;
   bool hangs_twice(const State& state, int u, int member) const;
   double parallel_score(const State& state, int u, int member) const;

@@ -317,9 +317,11 @@ void Decoder::alone_of_room(std::size_t s, int u, std::size_t level, double gain
   if (lies && is_thing(state, carrier)) add(s, kAttachAlone, gain + 1, member, member, carrier);
   gain += own_center_score(state, u, member);
   // "a bed with two nightstands in the middle", "desks with chairs in rows": the bed and the desks
-  if (comes_with(state, member) && unit(u).joiner == Joiner::kNone &&
-      (many ? several(state, host) : says(senses, RelationType::kCenterOfRoom)))
-    gain += weight::kSmallByPlace;
+  const bool in_middle = says(senses, RelationType::kCenterOfRoom) && unit(u).joiner == Joiner::kNone;
+  const bool of_many = several(state, host) || (host >= 0 && chunk(host).noun.determiner == Determiner::kEach);
+  if (comes_with(state, member) && (many ? of_many : in_middle)) gain += weight::kSmallByPlace;
+  // "tables with chairs and red cloths, placed in two rows": no cloth is
+  if (many && is_textile(lexicon_.catalog(), noun_of(state, member)) && host != kNobody) gain += 2 * weight::kSmallByPlace;
   // "a counter with an espresso machine and a pastry display at the back": the counter
   if (says(senses, RelationType::kInRegion) && unit(u).joiner == Joiner::kNone && is_thing(state, host) &&
       mount_of(noun_of(state, host)) == Mount::kFloor && read_as(state, member).former >= 0)

@@ -31,12 +31,12 @@ double Decoder::own_top_score(double so_far, const NounPhrase& noun, const NounP
   return (has_top_for(host, target) ? std::max(so_far, 0.0) : so_far) + weight::kTopOfOwnHost;
 }
 
-// "a TV hangs opposite the sofa, a speaker below it": not below the sofa; a rug may be.
+// "a TV hangs opposite the sofa, a speaker below it": not below the sofa; a rug may be. "a sofa facing a TV with a cabinet under it"
 double Decoder::below_seat_score(const State& state, const NounPhrase& target, Referent referent) const {
-  const bool by_seat =
-      referent >= 0 && is_seat(lexicon_.catalog(), noun_of(state, referent)) && read_as(state, referent).role == NounRole::kReference;
-  const bool thin = target.entry != nullptr && target.entry->thin;
-  return by_seat && !thin ? weight::kNotBeside : 0;
+  constexpr Mm kKnee = 350;
+  if (referent < 0 || !is_seat(lexicon_.catalog(), noun_of(state, referent)) || (target.entry != nullptr && target.entry->thin)) return 0;
+  if (mount_of(target) == Mount::kFloor && target.entry != nullptr && target.entry->size.usual.height > kKnee) return weight::kUnlikely;
+  return read_as(state, referent).role == NounRole::kReference ? weight::kNotBeside : 0;
 }
 
 // How well what the phrase says of the subject fits the one that may be meant.
@@ -64,6 +64,9 @@ double Decoder::antecedent_place_score(const State& state, Referent referent, Re
   const bool over = says(senses, RelationType::kAbove) || says(senses, RelationType::kUnder);
   const bool first = subject >= 0 && read_as(state, subject).former < 0;  // … "with a sink, a mirror above": above the sink
   if (subject >= 0 && referent == owner && over && (is_it(noun) || (is_unsaid(noun) && first))) score += weight::kOwnHost;
+  // "a piano in the corner with a candelabra on it": the piano, whatever else carries candelabras
+  const bool comes_with_it = subject >= 0 && referent == owner && is_it(noun) && is(read_as(state, subject).predicate, UnitKind::kHave);
+  if (comes_with_it && word(read_as(state, subject).predicate) == "with") score += weight::kOfWhatHas;
   // "four armchairs before the fire, each with a lamp behind it"
   const bool of_each = owner >= 0 && chunk(owner).noun.determiner == Determiner::kEach &&
                        (chunk(owner).noun.kind == NounKind::kMember || !target.is_plural());

@@ -20,6 +20,11 @@ bool Decoder::placed_by_unsaid(int u) const {
   return follows(u, UnitKind::kPlace) && !alone_senses(u + 1).empty() && !follows(u + 1, UnitKind::kNoun);
 }
 
+// "with a cabinet under it", "with a lamp beside it": by the host, and not on it.
+bool Decoder::placed_by_host(int u) const {
+  return has_own_place(u) && chunk(u + 2).noun.head == "it" && !says(unit(u + 1).direct, &RelationTraits::rests);
+}
+
 // "each with a screen and a telephone on it and a chair behind it": by the host once more.
 bool Decoder::placed_by_it(int u) const { return has_own_place(u) && chunk(u + 2).noun.head == "it" && unit(u).joiner == Joiner::kAnd; }
 

@@ -305,7 +305,9 @@ double Decoder::content_score(const State& state, int predicate, Referent conten
   const std::string& how = word(predicate);
   const bool holds =
       how != "with" && !how.starts_with("featur") && !how.starts_with("includ") && how != "has" && how != "have" && how != "having";
-  return sense_.of_having(host, thing, holds);
+  const double having = sense_.of_having(host, thing, holds);
+  // "a TV with a cabinet under it" does not have the cabinet
+  return how == "with" && content >= 0 && placed_by_host(content) ? std::max(having, 0.0) : having;
 }
 
 // "one holding a lamp", "each with a chair", "both against the wall", "It stands …".

@@ -28,6 +28,7 @@ class Linings {
       Lining& lining = found.emplace_back();
       for (const int item : mention.items) lining.ids.push_back(object(item).id);
       lining.open = counter || is_open(mention.noun);
+      lining.one_wall = says_one_wall(static_cast<int>(m));
     }
     return found;
   }
@@ -45,6 +46,19 @@ class Linings {
     return std::ranges::any_of(document_.links, [&](const Link& link) {
       const auto lines = [&](std::size_t at) { return one_of(document_.tokens[at].text, WordSet::kLining); };
       return contains(link.targets, mention) && std::ranges::any_of(std::views::iota(link.first, std::max(link.first, link.last)), lines);
+    });
+  }
+
+  // "along one wall", "along the wall", not "along every wall" and "along the walls"
+  bool says_one_wall(int mention) const {
+    return std::ranges::any_of(document_.links, [&](const Link& link) {
+      if (!contains(link.targets, mention)) return false;
+      bool wall = false, several = false;
+      for (std::size_t at = link.first; at < link.last; ++at) {
+        wall |= document_.tokens[at].text == "wall";
+        several |= says_one_of(document_, at, {"every", "each", "all", "both"});
+      }
+      return wall && !several;
     });
   }
 

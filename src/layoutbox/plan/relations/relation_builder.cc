@@ -118,6 +118,16 @@ void RelationBuilder::add_gap(const Link& link) {
 // "ten tables, each with a board and a clock, in two rows of five": what each has one of, and no more; else the things themselves.
 std::vector<int> RelationBuilder::bearers_of(std::vector<int> things) const {
   constexpr int kDeepest = 3;
+  // "tables with four chairs each, placed in two rows": the tables are
+  const auto seats_them = [&](const Link& link) {
+    if (link.kind != Link::Kind::kHave || !std::ranges::any_of(link.targets, [&](int m) { return mention(m).items == things; })) return false;
+    const std::vector<int> hosts = items_of(link.references);
+    return hosts.size() > 1 && std::ranges::all_of(hosts, [&](int host) { return is_table(catalog_, noun_of_item(host)); });
+  };
+  if (is_seat(catalog_, noun_of_item(things.front()))) {
+    const auto seated = std::ranges::find_if(document_.links, seats_them);
+    return seated == document_.links.end() ? things : items_of(seated->references);
+  }
   for (int depth = 0; depth < kDeepest && mount_of(noun_of_item(things.front())) == Mount::kSurface; ++depth) {
     const auto has_them = [&](const Link& link) {
       return link.kind == Link::Kind::kHave && items_of(link.references).size() == things.size() &&

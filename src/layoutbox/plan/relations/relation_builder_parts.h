@@ -239,6 +239,9 @@ class RelationBuilder : private RelationWriter {
   void seat_at_only_table();
   void seat_at_placed_table();
   void seat_viewers();
+  void turn_to_what_hangs_over();
+  void stand_abreast();
+  void line_up(const std::string& first, const std::string& next);
   const SceneObject* mirror_looked_into(const Relation& looks) const;
   void hang_mirrors_over_counters();
   void share_doors();
@@ -304,6 +307,7 @@ class RelationBuilder : private RelationWriter {
   void seat_on_platforms();
   void drop_implied_support();
   std::string said_support(const std::string& object) const;
+  bool hangs_opposite(std::size_t index) const;
   bool is_small(std::size_t index) const;
   bool may_lean(std::size_t index) const;
   std::vector<std::vector<std::size_t>> small_neighbours() const;

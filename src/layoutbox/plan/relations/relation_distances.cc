@@ -21,7 +21,15 @@ void RelationBuilder::stand_before_middles() {
     const SceneObject *target = object_of(relation.targets.front()), *reference = object_of(relation.references.front());
     if (target == nullptr || reference == nullptr) continue;
     const NounPhrase &thing = noun_of_object(*target), &other = noun_of_object(*reference);
-    const bool at_back = relation.type == R::kBehind && other.entry != nullptr && other.entry->used_sides == std::vector{Side::kBack};
+    // "a desk facing the door, a swivel chair behind it": where one works at it
+    const bool at_desk = relation.type == R::kBehind && other.entry != nullptr && other.entry->is(Trait::kDeskLike) &&
+                         is_seat(catalog_, thing) && mount_of(thing) == Mount::kFloor && thing.entry != nullptr &&
+                         !thing.entry->is(Trait::kEasySeat);
+    const bool turned =
+        std::ranges::any_of(relations_of(target->id), [&](std::size_t t) { return traits_of(scene_.relations[t].type).turns; });
+    if (at_desk && !turned) add_habit(R::kFacing, relation.targets, relation.references, kTogether, "who sits behind a desk works at it");
+    const bool at_back =
+        at_desk || (relation.type == R::kBehind && other.entry != nullptr && other.entry->used_sides == std::vector{Side::kBack});
     if ((relation.type == R::kInFrontOf || at_back) && is_seat(catalog_, thing) && is_table(catalog_, other) &&
         !one_of(thing.head, {"sofa", "couch", "loveseat"}) && !scene_.relations[r].parameters.max)
       scene_.relations[r].parameters.max = measures().seat_at_hand;

@@ -289,6 +289,8 @@ void RelationBuilder::add_habits() {
   sit_across_table();
   leave_room_to_serve();
   leave_room_at_wall();
+  turn_to_what_hangs_over();
+  stand_abreast();
   sit_at_windows();
   park_cars();
   sit_before_mirrors();

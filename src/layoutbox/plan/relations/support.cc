@@ -46,6 +46,21 @@ std::string RelationBuilder::said_support(const std::string& object) const {
   return {};
 }
 
+// "a sofa with a coffee table, a TV opposite the sofa, a vase beside the TV": nothing there carries TVs, and it is not on the coffee table.
+bool RelationBuilder::hangs_opposite(std::size_t index) const {
+  const NounPhrase& noun = document_.items[index].noun;
+  if (noun.entry == nullptr || !noun.entry->is(Trait::kElseOnWall) || !noun.entry->is(Trait::kScreen)) return false;
+  const auto carries_it = [&](const SceneObject& o) {
+    return std::ranges::any_of(noun.entry->stands_on, [&](const std::string& kind) { return catalog_.is_a(o.category, kind); });
+  };
+  return !std::ranges::any_of(scene_.objects, carries_it) &&
+         std::ranges::any_of(relations_of(scene_.objects[index].id), [&](std::size_t r) {
+           const Relation& relation = scene_.relations[r];
+           const SceneObject* by = relation.references.empty() ? nullptr : object_of(relation.references.front());
+           return relation.type == R::kOpposite && by != nullptr && is_seat(catalog_, noun_of_object(*by));
+         });
+}
+
 bool RelationBuilder::is_small(std::size_t index) const {
   const NounPhrase& noun = document_.items[index].noun;
   const std::vector<std::size_t>& all = relations_of(scene_.objects[index].id);
@@ -54,7 +69,7 @@ bool RelationBuilder::is_small(std::size_t index) const {
   // A screen at one end of the room hangs there.
   const bool hangs = noun.entry != nullptr && noun.entry->is(Trait::kElseOnWall) &&
                      std::ranges::any_of(all, [&](std::size_t r) { return scene_.relations[r].type == R::kInRegion; });
-  if (hangs) return false;
+  if (hangs || hangs_opposite(index)) return false;
   return (mount_of(noun) == Mount::kSurface || unknown || is_light_box(noun) ||
           object_of(said_support(scene_.objects[index].id)) != nullptr) &&
          std::none_of(all.begin(), all.end(), [&](std::size_t r) { return stands_elsewhere(scene_.relations[r].type); });

@@ -1,0 +1,61 @@
+// Things that line up with others: under what hangs at the wall, side by side where they are parallel.
+#include <algorithm>
+
+#include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/plan/relations/relation_builder_parts.h"
+
+namespace layoutbox::offline {
+
+using R = RelationType;
+
+// "a sideboard under the whiteboard": its back is to the wall where that hangs, not only its end below it.
+void RelationBuilder::turn_to_what_hangs_over() {
+  const std::size_t said = scene_.relations.size();
+  for (std::size_t r = 0; r < said; ++r) {
+    const Relation over = scene_.relations[r];
+    if (over.type != R::kAbove || over.targets.size() != 1 || over.references.size() != 1) continue;
+    const SceneObject *hung = object_of(over.targets[0]), *below = object_of(over.references[0]);
+    if (hung == nullptr || below == nullptr) continue;
+    const CatalogEntry &own = catalog_.entry_or_nearest(hung->category), &stands = catalog_.entry_or_nearest(below->category);
+    const bool at_wall = hung->mount.value_or(own.mount) == Mount::kWall && stands.mount == Mount::kFloor && stands.back_to_wall;
+    const auto turned = [&](std::size_t i) {
+      return traits_of(scene_.relations[i].type).turns || scene_.relations[i].type == R::kSideAgainstWall ||
+             (scene_.relations[i].type == R::kAgainstWall && !scene_.relations[i].references.empty());
+    };
+    if (!at_wall || !own.has_front || !stands.has_front || std::ranges::any_of(relations_of(below->id), turned)) continue;
+    add_habit(R::kSameOrientation, {below->id}, {hung->id}, kTogether, "what is under a hung thing has its back to the same wall");
+  }
+}
+
+// "two long benches parallel to each other", "four parallel bookshelves": side by side, not one behind the other's end.
+void RelationBuilder::stand_abreast() {
+  const std::size_t said = scene_.relations.size();
+  for (std::size_t r = 0; r < said; ++r) {
+    const Relation along = scene_.relations[r];
+    if (along.type == R::kParallel && along.targets.size() == 1 && along.references.size() == 1)
+      line_up(along.references[0], along.targets[0]);
+  }
+  for (const Mention& mention : document_.mentions) {
+    if (!mention.introduces || mention.items.size() < 2 || std::ranges::find(mention.noun.attributes, "parallel") == mention.noun.attributes.end())
+      continue;
+    std::vector<std::string> all = ids(mention.items);
+    for (std::size_t i = 1; i < all.size(); ++i) {
+      add_habit(R::kSameOrientation, {all[i]}, {all[0]}, kTogether, "said to be parallel").origin = Origin::kConcluded;
+      line_up(all[0], all[i]);
+    }
+    if (all.size() > 2) add_habit(R::kEvenlySpaced, all, {}, kTogether, "parallel ones stand equally far apart");
+  }
+}
+
+void RelationBuilder::line_up(const std::string& first, const std::string& next) {
+  constexpr Mm kLong = 1000;
+  const SceneObject *one = object_of(first), *other = object_of(next);
+  if (one == nullptr || other == nullptr || one->category != other->category) return;
+  const CatalogEntry& entry = catalog_.entry_or_nearest(one->category);
+  if (one->mount.value_or(entry.mount) != Mount::kFloor || entry.size.usual.width < kLong || is_seat(catalog_, noun_of_object(*one))) return;
+  const auto at_wall = [&](std::size_t i) { return traits_of(scene_.relations[i].type).back_to_wall; };
+  if (std::ranges::any_of(relations_of(first), at_wall) || std::ranges::any_of(relations_of(next), at_wall)) return;
+  add_habit(R::kEdgeAlign, {next}, {first}, kTogether, "parallel ones stand side by side").parameters.edge = Edge::kCenter;
+}
+
+}  // namespace layoutbox::offline
