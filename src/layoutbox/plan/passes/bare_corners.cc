@@ -96,12 +96,48 @@ void part_things_from_walls(const Lexicon& lexicon, Document& document, std::vec
   splice(document, skip, std::move(words));
 }
 
+// How many words before `it` begin a clause that tells of what is beside it: "and in front of it"; 0: none.
+std::size_t begins_by(const Document& document, std::size_t it) {
+  constexpr std::size_t kLongest = 3;  // "in front of"
+  if (!says_one_of(document, it, {"it", "them"}) || document.tokens[it].ends_sentence) return 0;
+  if (!says_one_of(document, it - 1, {"of", "to", "beside", "above", "under", "below", "behind", "opposite", "over", "near", "facing"}))
+    return 0;
+  for (std::size_t length = 1; length <= kLongest && length < it; ++length) {
+    const Token& before = document.tokens[it - length - 1];
+    if (before.ends_sentence || before.kind == Token::Kind::kPunctuation || before.text == "and") return length;
+    if (before.kind != Token::Kind::kWord) return 0;
+  }
+  return 0;
+}
+
+// "a wardrobe and beside it small desk": a small desk.
+void part_things_from_it(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
+  std::vector<Splice> words;
+  constexpr std::size_t kMostLooks = 2;
+  for (std::size_t i = 2; i + 1 < document.tokens.size(); ++i) {
+    if (begins_by(document, i) == 0) continue;
+    std::size_t noun = i + 1;
+    const auto is_look = [&](std::size_t at) {
+      return at < document.tokens.size() &&
+             (lexicon.is(document.tokens[at], WordClass::kSizeWord) || lexicon.is(document.tokens[at], WordClass::kColor) ||
+              lexicon.is(document.tokens[at], WordClass::kMaterial));
+    };
+    while (noun < i + 1 + kMostLooks && is_look(noun)) ++noun;
+    const Match thing = noun < document.tokens.size() ? lexicon.find(document.tokens, noun, WordClass::kObject) : Match{};
+    if (thing.length == 0) continue;
+    const std::string& last = document.tokens[noun + thing.length - 1].text;
+    words.push_back({i + 1, word_token(last == singular_of(last) ? "a" : "some")});
+  }
+  splice(document, skip, std::move(words));
+}
+
 }  // namespace
 
 void complete_bare_corners(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
   read_stage_words(document, skip);
   complete_bare_walls(lexicon, document, skip);
   part_things_from_walls(lexicon, document, skip);
+  part_things_from_it(lexicon, document, skip);
   std::vector<Splice> words;
   for (std::size_t i = 0; i + 1 < document.tokens.size(); ++i) {
     if (skip[i] || !names_corner(lexicon, document, i)) continue;

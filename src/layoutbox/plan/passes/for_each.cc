@@ -32,6 +32,7 @@ bool is_each_ones(const std::vector<Chunk>& chunks, std::size_t k) {
   const NounPhrase& thing = chunks[k].noun;
   const bool anew = thing.determiner == Determiner::kIndefinite || thing.determiner == Determiner::kNone;
   if (k + 1 >= chunks.size() || !is_thing(chunks[k]) || !anew || !is_each(k + 1)) return false;
+  if (k + 2 < chunks.size() && chunks[k + 2].kind == ChunkKind::kHave) return false;  // "eight tables each with four chairs"
   for (std::size_t c = k; c-- > 0 && chunks[c].kind != ChunkKind::kStop;) {
     const NounPhrase& before = chunks[c].noun;
     if (is_thing(chunks[c]) && (before.count > 1 || before.plural) && !is_each(c + 1)) return false;

@@ -261,6 +261,9 @@ double Decoder::habit_score(const State& state, int place, Referent subject, Ref
                      (mount_of(target) == Mount::kWall || sense_.carries(noun_of(state, host), target) ||
                       (target.entry != nullptr && kind_at(lexicon_.catalog(), target.entry->id, KinPlace::kSetIn) != nullptr));
   if (along && is_place_of_room(by.kind)) score += weight::kSmallByPlace;
+  // "a desk with monitors and speakers facing the window": who works there does
+  const bool looks_out = says(senses, RelationType::kFacing) && (by.kind == NounKind::kWindow || by.kind == NounKind::kDoor);
+  if (looks_out && carried && mount_of(target) == Mount::kSurface) score += weight::kLiesTwice;
   // "a squat rack with barbell against the back wall": what is named barely goes with the rack
   const bool bare = target.determiner == Determiner::kNone && target.count == 0;
   const bool backed = !along && bare && is_thing(state, host) && by.kind == NounKind::kWall &&

@@ -120,7 +120,8 @@ std::vector<int> RelationBuilder::bearers_of(std::vector<int> things) const {
   constexpr int kDeepest = 3;
   // "tables with four chairs each, placed in two rows": the tables are
   const auto seats_them = [&](const Link& link) {
-    if (link.kind != Link::Kind::kHave || !std::ranges::any_of(link.targets, [&](int m) { return mention(m).items == things; })) return false;
+    if (link.kind != Link::Kind::kHave || !std::ranges::any_of(link.targets, [&](int m) { return mention(m).items == things; }))
+      return false;
     const std::vector<int> hosts = items_of(link.references);
     return hosts.size() > 1 && std::ranges::all_of(hosts, [&](int host) { return is_table(catalog_, noun_of_item(host)); });
   };

@@ -291,7 +291,10 @@ void RelationBuilder::add_habits() {
   leave_room_at_wall();
   turn_to_what_hangs_over();
   stand_abreast();
+  watch_from_afar();
+  stand_under_wall_cabinets();
   sit_at_windows();
+  work_at_windows();
   park_cars();
   sit_before_mirrors();
   stand_under_counters();

@@ -104,6 +104,24 @@ void RelationBuilder::sit_at_windows() {
   }
 }
 
+// "a workbench under the window": along it, and who works there looks out.
+void RelationBuilder::work_at_windows() {
+  const std::size_t said = scene_.relations.size();
+  for (std::size_t r = 0; r < said; ++r) {
+    const Relation under = scene_.relations[r];
+    if (under.type != R::kUnderWindow || under.targets.size() != 1) continue;
+    const SceneObject* bench = object_of(under.targets[0]);
+    const CatalogEntry* entry = bench == nullptr ? nullptr : catalog_.find(bench->category);
+    if (entry == nullptr || !entry->is(Trait::kDeskLike) || entry->mount != Mount::kFloor) continue;
+    const auto turned = [&](std::size_t i) {
+      return i != r && (traits_of(scene_.relations[i].type).turns || traits_of(scene_.relations[i].type).back_to_wall);
+    };
+    const std::string window = under.references.empty() ? std::string(name_of(OpeningType::kWindow)) : under.references[0];
+    if (std::ranges::none_of(relations_of(bench->id), turned))
+      add_habit(R::kFacing, {bench->id}, {window}, kTogether, "who works under a window looks out of it");
+  }
+}
+
 bool RelationBuilder::stands_at_walls(const NounPhrase& noun) const {
   return mount_of(noun) == Mount::kWall || (mount_of(noun) == Mount::kFloor && noun.entry != nullptr && noun.entry->back_to_wall);
 }

@@ -27,6 +27,28 @@ void RelationBuilder::turn_to_what_hangs_over() {
   }
 }
 
+// "a counter with a sink and wall cabinets along the back wall": the counter is below them.
+void RelationBuilder::stand_under_wall_cabinets() {
+  const auto hangs = [&](const Relation& r) {
+    const SceneObject* hung = r.type == R::kOnWall && r.targets.size() == 1 && r.references.size() == 1 ? object_of(r.targets[0]) : nullptr;
+    return hung != nullptr && catalog_.is_a(hung->category, "wall_cabinet");
+  };
+  const auto hung = std::ranges::find_if(scene_.relations, hangs);
+  if (hung == scene_.relations.end()) return;
+  const std::vector<std::string> wall = hung->references;
+  const auto is_counter = [&](const SceneObject& o) {
+    const CatalogEntry* entry = catalog_.find(o.category);
+    return entry != nullptr && entry->is(Trait::kCounter) && entry->back_to_wall;
+  };
+  const auto placed = [&](std::size_t i) { return traits_of(scene_.relations[i].type).placing == Placing::kInRoom; };
+  if (std::ranges::count_if(scene_.objects, is_counter) != 1) return;
+  const std::string counter = std::ranges::find_if(scene_.objects, is_counter)->id;
+  if (std::ranges::any_of(relations_of(counter), placed)) return;
+  Relation& below = add_habit(R::kAgainstWall, {counter}, wall, kTogether, "a counter is below its wall cabinets");
+  below.origin = Origin::kConcluded;
+  below.hard = true;
+}
+
 // "two long benches parallel to each other", "four parallel bookshelves": side by side, not one behind the other's end.
 void RelationBuilder::stand_abreast() {
   const std::size_t said = scene_.relations.size();
@@ -36,7 +58,8 @@ void RelationBuilder::stand_abreast() {
       line_up(along.references[0], along.targets[0]);
   }
   for (const Mention& mention : document_.mentions) {
-    if (!mention.introduces || mention.items.size() < 2 || std::ranges::find(mention.noun.attributes, "parallel") == mention.noun.attributes.end())
+    if (!mention.introduces || mention.items.size() < 2 ||
+        std::ranges::find(mention.noun.attributes, "parallel") == mention.noun.attributes.end())
       continue;
     std::vector<std::string> all = ids(mention.items);
     for (std::size_t i = 1; i < all.size(); ++i) {
@@ -52,7 +75,8 @@ void RelationBuilder::line_up(const std::string& first, const std::string& next)
   const SceneObject *one = object_of(first), *other = object_of(next);
   if (one == nullptr || other == nullptr || one->category != other->category) return;
   const CatalogEntry& entry = catalog_.entry_or_nearest(one->category);
-  if (one->mount.value_or(entry.mount) != Mount::kFloor || entry.size.usual.width < kLong || is_seat(catalog_, noun_of_object(*one))) return;
+  if (one->mount.value_or(entry.mount) != Mount::kFloor || entry.size.usual.width < kLong || is_seat(catalog_, noun_of_object(*one)))
+    return;
   const auto at_wall = [&](std::size_t i) { return traits_of(scene_.relations[i].type).back_to_wall; };
   if (std::ranges::any_of(relations_of(first), at_wall) || std::ranges::any_of(relations_of(next), at_wall)) return;
   add_habit(R::kEdgeAlign, {next}, {first}, kTogether, "parallel ones stand side by side").parameters.edge = Edge::kCenter;

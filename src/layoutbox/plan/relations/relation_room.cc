@@ -37,7 +37,8 @@ std::vector<std::string> RelationBuilder::room_reference(const NounPhrase& noun,
     case NounKind::kWall: {
       auto all = words();
       if (all.size() > 1) all.resize(1);
-      if (all.empty() && noun.name.ends_with("side wall")) all = {wall_of_.try_emplace(noun.first, freer_of("left", "right")).first->second};
+      if (all.empty() && noun.name.ends_with("side wall"))
+        all = {wall_of_.try_emplace(noun.first, freer_of("left", "right")).first->second};
       if (const auto [one, other] = walls_by_length(noun, scene_.room); all.empty() && !one.empty() && noun.wall_relation != "opposite")
         all = {wall_of_.try_emplace(noun.first, freer_of(other, one)).first->second};  // all that is said to be at it
       if (all.empty() && noun.wall_relation.empty() && relation_row(type).arity != RelationArity::kOptional) all = {"back"};

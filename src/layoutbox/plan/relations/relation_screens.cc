@@ -29,6 +29,27 @@ void RelationBuilder::seat_viewers() {
   }
 }
 
+// "a sofa looking at the TV": from as far off as one watches it (SMPTE EG 18: 30 degrees of a 1.2 m screen are 2.2 m).
+void RelationBuilder::watch_from_afar() {
+  constexpr Mm kNearest = 1700, kFarthest = 4200;
+  const std::size_t said = scene_.relations.size();
+  for (std::size_t r = 0; r < said; ++r) {
+    const Relation look = scene_.relations[r];
+    if (look.type != R::kFacing || look.targets.size() != 1 || look.references.size() != 1) continue;
+    const SceneObject *seat = object_of(look.targets[0]), *screen = object_of(look.references[0]);
+    const CatalogEntry *sits = seat == nullptr ? nullptr : catalog_.find(seat->category),
+                       *shown = screen == nullptr ? nullptr : catalog_.find(screen->category);
+    const bool watches = sits != nullptr && shown != nullptr && is_seat(catalog_, noun_of_object(*seat)) && sits->is(Trait::kCenterPiece) &&
+                         shown->is(Trait::kScreen) && shown->is(Trait::kElseOnWall);
+    const auto told = [&](std::size_t i) {
+      return scene_.relations[i].references == look.references && traits_of(scene_.relations[i].type).beside;
+    };
+    if (!watches || std::ranges::any_of(relations_of(seat->id), told)) continue;
+    Relation& far = add_habit(R::kDistance, look.targets, look.references, kTogether, "one watches a screen from some way off");
+    far.parameters.min = kNearest, far.parameters.max = kFarthest;
+  }
+}
+
 // Is a screen told to be in that part of the room?
 bool RelationBuilder::shows_in(RoomRegion region) const {
   return std::ranges::any_of(scene_.relations, [&](const Relation& r) {
