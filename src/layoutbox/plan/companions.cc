@@ -62,7 +62,7 @@ class Companions {
     const bool serves = entry->is(Trait::kOpenToRoom) && is_used(Side::kBack) && is_used(Side::kFront);
     // … and seats that follow from how many people there are stand at tables of their own: the teacher's desk has its chair.
     const bool visited = entry->is(Trait::kDeskLike) && scene_.has_kind("visitor_chair");
-    const bool named_only = serves || visited || !seats_.spoken_of || (entry->is(Trait::kDesk) && seats_.taken) ||
+    const bool named_only = serves || visited || !seats_.spoken_of || (entry->is(Trait::kDesk) && (seats_.taken || seats_.easy_only)) ||
                             (entry->is(Trait::kOpenToRoom) && seats_.at_desks);
     if (seat == nullptr || (named_only ? spoken_.names(*seat) : spoken_.of(*seat)) || scene_.has_seat(id) || (!serves && seats_.loose))
       return;

@@ -17,10 +17,11 @@ NamedSeats::NamedSeats(const GrowingScene& scene, const Catalog& catalog) {
   };
   const auto is_table = [&](const std::string& host) { return is_at(host, false); };
   const auto is_desk = [&](const std::string& host) { return is_at(host, true); };
-  bool concluded = false, asked = false, all_at_tables = true, all_at_desks = true;
+  bool concluded = false, asked = false, easy = false, all_at_tables = true, all_at_desks = true;
   for (const SceneObject& object : scene.graph().objects) {
     concluded |= object.origin == Origin::kConcluded;
     const CatalogEntry& kind = catalog.entry_or_nearest(object.category);
+    easy |= object.asked() && kind.is(Trait::kSeat) && !kind.is(Trait::kTableSeat) && !kind.is(Trait::kBed);
     if (!kind.is(Trait::kTableSeat)) continue;
     bool placed = false, at_table = false, at_desk = false;
     for (const std::size_t r : scene.relations_of(object.id)) {
@@ -35,6 +36,7 @@ NamedSeats::NamedSeats(const GrowingScene& scene, const Catalog& catalog) {
     all_at_desks &= at_table || at_desk || !object.asked();
   }
   spoken_of = !concluded || asked;
+  easy_only = easy && !asked;
   taken = asked && all_at_tables;
   at_desks = asked && all_at_desks;
 }

@@ -14,6 +14,8 @@ struct NamedSeats {
   bool loose = false;
   // "two desks, a meeting table with four chairs": all are those of another table, so that the desk's are still to come.
   bool taken = false;
+  // "a desk, a bean bag": no seat that is named is one to work at.
+  bool easy_only = false;
   // … or of other desks: pupils' chairs are not the teacher's.
   bool at_desks = false;
 

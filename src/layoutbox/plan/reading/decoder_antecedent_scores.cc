@@ -137,6 +137,9 @@ double Decoder::standing_score(const State& state, Referent referent, Referent s
   // "a stove, a basket beside it, a sofa across from it": nobody sits to look at a basket
   const bool looks = says(senses, RelationType::kOpposite) || says(senses, RelationType::kFacing);
   if (looks && is_seat(lexicon_.catalog(), target) && is_low_and_small(meant)) score += weight::kNotBeside;
+  // "a television in the corner, a sofa opposite": seats look at screens
+  const bool screen = meant.entry != nullptr && meant.entry->is(Trait::kScreen);
+  if (looks && is_seat(lexicon_.catalog(), target) && screen) score += weight::kUsual;
   // "a sofa, over which a map hangs, …; a table in front of it": of the sofa.
   const bool before = says(senses, RelationType::kInFrontOf) || says(senses, RelationType::kBehind);
   const bool looked_into = meant.entry != nullptr && meant.entry->is(Trait::kMirror);

@@ -10,6 +10,9 @@ namespace layoutbox::offline {
 
 // "six tables, each with four chairs, a bar and a sideboard": no table has a bar of its own. At desks and beds anything may stand.
 bool Decoder::may_come_with(const NounPhrase& host, const NounPhrase& noun) const {
+  // "a shelf with toys and a rug": a rug is under what one sits, lies or works at
+  const bool rug = noun.entry != nullptr && noun.entry->thin && mount_of(noun) == Mount::kFloor;
+  if (rug && is_storage(host)) return false;
   const bool works = host.entry != nullptr && (host.entry->is(Trait::kDesk) || host.entry->is(Trait::kDeskLike));
   if (!is_table(lexicon_.catalog(), host) || works || mount_of(noun) != Mount::kFloor) return true;
   return is_seat(lexicon_.catalog(), noun) || sense_.carries(host, noun) || (noun.entry != nullptr && noun.entry->thin);

@@ -269,6 +269,9 @@ double Decoder::habit_score(const State& state, int place, Referent subject, Ref
   const bool backed = !along && bare && is_thing(state, host) && by.kind == NounKind::kWall &&
                       mount_of(noun_of(state, host)) == Mount::kFloor && mount_of(target) == Mount::kFloor;
   if (backed && unit(place).joiner == Joiner::kNone) score += weight::kSmallByPlace;
+  // "an armchair with a lamp beside it in the corner": the armchair is
+  if (placed_by_host(subject) && unit(place).joiner == Joiner::kNone && place > subject + 2 && is_place_of_room(by.kind) && is_thing(state, host))
+    score += weight::kSmallByPlace;
   const bool apart = unit(place).joiner != Joiner::kNone || state.participle || chunk(place).placing;
   if (apart) return score;
   const bool beside = std::ranges::any_of(senses, [](const PhraseSense& sense) {
@@ -308,6 +311,9 @@ double Decoder::content_score(const State& state, int predicate, Referent conten
   const std::string& how = word(predicate);
   const bool holds =
       how != "with" && !how.starts_with("featur") && !how.starts_with("includ") && how != "has" && how != "have" && how != "having";
+  // "a sofa on the left wall with a TV opposite": not on that wall
+  const auto is_across = [&](int u) { return follows(u, UnitKind::kPlace) && says(alone_senses(u + 1), RelationType::kOpposite); };
+  if (how == "with" && content >= 0 && host.kind == NounKind::kWall && is_across(content)) return weight::kUnlikely;
   const double having = sense_.of_having(host, thing, holds);
   // "a TV with a cabinet under it" does not have the cabinet
   return how == "with" && content >= 0 && placed_by_host(content) ? std::max(having, 0.0) : having;

@@ -88,8 +88,11 @@ int Scribe::sides_meant(const Link& link, int target, int reference) const {
 // "a lamp on each side" is two lamps, "two chairs on each long side" four, a chair on each side of a square table as well.
 void Scribe::grow_for_sides(const Link& link, int target, int reference) {
   // "the dentist's stool and the nurse's stool on either side": one each
-  const bool told_apart = std::ranges::all_of(
-      link.targets, [&](int one) { return noun_of(one).determiner == Determiner::kDefinite && mention_at(one).items.size() == 1; });
+  bool either = false;  // "a lamp and a plant on either side": one of them at each
+  for (std::size_t at = link.first; at < link.last; ++at) either |= says_one_of(document_, at, {"either"});
+  const bool told_apart = std::ranges::all_of(link.targets, [&](int one) {
+    return (either || noun_of(one).determiner == Determiner::kDefinite) && mention_at(one).items.size() == 1;
+  });
   if (link.targets.size() == 2 && told_apart) return;
   const std::size_t count = mention_at(target).items.size();
   const bool said = noun_of(target).count > 1, each_side = says(link.senses, RelationType::kEachSideOf);
