@@ -49,8 +49,9 @@ std::size_t bare_list_before(const Lexicon& lexicon, const Document& document, s
     const Token& token = document.tokens[at];
     const bool joins = token.text == "+" || token.text == "&" || token.text == "and" || token.text == "plus";
     several |= joins;
-    const bool listed = joins || lexicon.is(token, WordClass::kIndefinite) || lexicon.find(document.tokens, at, WordClass::kObject).length > 0 ||
-                        lexicon.is(token, WordClass::kSizeWord) || lexicon.is(token, WordClass::kColor) || lexicon.is(token, WordClass::kMaterial);
+    const bool listed = joins || lexicon.is(token, WordClass::kIndefinite) ||
+                        lexicon.find(document.tokens, at, WordClass::kObject).length > 0 || lexicon.is(token, WordClass::kSizeWord) ||
+                        lexicon.is(token, WordClass::kColor) || lexicon.is(token, WordClass::kMaterial);
     if (!listed) return each;
   }
   const bool ends = each + 1 >= document.tokens.size() || document.tokens[each].ends_sentence || breaks(document, each + 1);

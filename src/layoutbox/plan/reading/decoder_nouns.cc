@@ -270,7 +270,8 @@ double Decoder::habit_score(const State& state, int place, Referent subject, Ref
                       mount_of(noun_of(state, host)) == Mount::kFloor && mount_of(target) == Mount::kFloor;
   if (backed && unit(place).joiner == Joiner::kNone) score += weight::kSmallByPlace;
   // "an armchair with a lamp beside it in the corner": the armchair is
-  if (placed_by_host(subject) && unit(place).joiner == Joiner::kNone && place > subject + 2 && is_place_of_room(by.kind) && is_thing(state, host))
+  if (placed_by_host(subject) && unit(place).joiner == Joiner::kNone && place > subject + 2 && is_place_of_room(by.kind) &&
+      is_thing(state, host))
     score += weight::kSmallByPlace;
   const bool apart = unit(place).joiner != Joiner::kNone || state.participle || chunk(place).placing;
   if (apart) return score;

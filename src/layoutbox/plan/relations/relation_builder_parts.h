@@ -240,9 +240,11 @@ class RelationBuilder : private RelationWriter {
   void seat_at_placed_table();
   void seat_viewers();
   void work_at_windows();
+  void place_by_covered_windows();
   void watch_from_afar();
   void turn_to_what_hangs_over();
   void stand_abreast();
+  void stand_rows_in_halves();
   void stand_under_wall_cabinets();
   void line_up(const std::string& first, const std::string& next);
   const SceneObject* mirror_looked_into(const Relation& looks) const;

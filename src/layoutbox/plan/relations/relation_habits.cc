@@ -276,6 +276,7 @@ void RelationBuilder::make_islands() {
 
 void RelationBuilder::add_habits() {
   hang_bed_curtains();
+  place_by_covered_windows();
   hang_within();
   stand_within();
   stand_before_sitters();
@@ -291,6 +292,7 @@ void RelationBuilder::add_habits() {
   leave_room_at_wall();
   turn_to_what_hangs_over();
   stand_abreast();
+  stand_rows_in_halves();
   watch_from_afar();
   stand_under_wall_cabinets();
   sit_at_windows();

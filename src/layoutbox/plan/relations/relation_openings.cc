@@ -40,9 +40,37 @@ void RelationBuilder::add_by_openings(const Link& link) {
     for (const int item : sense ? items : std::vector<int>{}) {
       const Mount mount = mount_of(noun_of_item(item));
       const bool under = *sense == R::kUnderWindow;
+      const CatalogEntry* entry = noun_of_item(item).entry;
+      // "a desk facing the door, a window behind it": who works there sits between
+      if (under && !says(link.senses, R::kAbove) && mount == Mount::kFloor && entry != nullptr && entry->is(Trait::kDeskLike)) {
+        add(link, R::kInFrontOf, {id(item)}, room_reference(opening, R::kInFrontOf));
+        continue;
+      }
       if (mount == Mount::kFloor || (under && says(link.senses, R::kAbove)) || (*sense == R::kNextTo && mount == Mount::kWall))
         add(link, *sense, {id(item)}, under ? std::vector<std::string>{} : room_reference(opening, *sense));
     }
+  }
+}
+
+// "blinds on the window behind the desk", "a window with curtains behind the sofa": the window is behind it, and its blinds with it.
+void RelationBuilder::place_by_covered_windows() {
+  const auto covers = [&](const Relation& r) {
+    const SceneObject* object = r.asked() && r.targets.size() == 1 && r.references.size() == 1 ? object_of(r.targets[0]) : nullptr;
+    const CatalogEntry* entry = object == nullptr ? nullptr : catalog_.find(object->category);
+    return entry != nullptr && (entry->is(Trait::kCurtain) || catalog_.is_a(entry->id, "blind"));
+  };
+  for (Relation& r : scene_.relations) {
+    const SceneObject* thing = r.type == R::kBehind && covers(r) ? object_of(r.references[0]) : nullptr;
+    if (thing == nullptr || mount_of(noun_of_object(*thing)) != Mount::kFloor) continue;
+    const auto at_window = std::ranges::find_if(scene_.relations, [&](const Relation& other) {
+      return covers(other) && other.targets == r.targets && other.references[0].starts_with(name_of(OpeningType::kWindow));
+    });
+    if (at_window == scene_.relations.end()) continue;
+    // Between a desk and the window behind it somebody sits.
+    const bool works = catalog_.entry_or_nearest(thing->category).is(Trait::kDeskLike);
+    r.type = works ? R::kInFrontOf : R::kUnderWindow;
+    r.targets = {thing->id};
+    r.references = {at_window->references[0]};
   }
 }
 

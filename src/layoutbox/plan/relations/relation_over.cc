@@ -49,6 +49,29 @@ void RelationBuilder::stand_under_wall_cabinets() {
   below.hard = true;
 }
 
+// "four rows of shelves on the north side": in that half of the room; only one row could be at its wall.
+void RelationBuilder::stand_rows_in_halves() {
+  static constexpr std::pair<Side, RoomRegion> kHalves[] = {{Side::kLeft, RoomRegion::kLeft},
+                                                            {Side::kRight, RoomRegion::kRight},
+                                                            {Side::kBack, RoomRegion::kBack},
+                                                            {Side::kFront, RoomRegion::kFront}};
+  for (const Relation& grid : std::vector<Relation>(scene_.relations)) {
+    const std::size_t columns = grid.type == R::kGrid ? static_cast<std::size_t>(grid.parameters.columns.value_or(0)) : 0;
+    if (columns == 0 || columns >= grid.targets.size()) continue;
+    for (Relation& wall : scene_.relations) {
+      const bool of_it = wall.type == R::kAgainstWall && wall.targets.size() == 1 && wall.references.size() == 1 &&
+                         std::ranges::find(grid.targets, wall.targets[0]) != grid.targets.end();
+      const std::optional<Side> side = of_it ? room_side_from_word(wall.references[0]) : std::nullopt;
+      const auto half = side ? std::ranges::find(kHalves, *side, &std::pair<Side, RoomRegion>::first) : std::end(kHalves);
+      if (half == std::end(kHalves)) continue;
+      wall.type = R::kInRegion;
+      wall.references.clear();
+      wall.parameters.gap.reset();
+      wall.parameters.region = half->second;
+    }
+  }
+}
+
 // "two long benches parallel to each other", "four parallel bookshelves": side by side, not one behind the other's end.
 void RelationBuilder::stand_abreast() {
   const std::size_t said = scene_.relations.size();
