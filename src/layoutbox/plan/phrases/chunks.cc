@@ -108,7 +108,7 @@ void Chunker::read() {
     }
     if (read_noun(false)) return;
   }
-  if (read_words(phrase, without)) return;
+  if (read_inverted_verb() || read_words(phrase, without)) return;
   if (read_noun(true)) return;
   if (phrase.length > 0) {
     add_phrase(phrase);
