@@ -1,16 +1,16 @@
 // Trucks, trains, planes and boats that are on or in furniture, on a rug, or in a room for children: they are toys (`toy_senses` in
 // words_room.json).
 #include <algorithm>
-#include <array>
 #include <string_view>
 #include <vector>
 
+#include "layoutbox/base/words.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/catalog/word_lists.h"
 #include "layoutbox/plan/offline/people.h"
 #include "layoutbox/plan/phrases/knowledge.h"
 #include "layoutbox/plan/phrases/reader_words.h"
-#include "layoutbox/plan/words/english.h"
+#include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox::offline {
 

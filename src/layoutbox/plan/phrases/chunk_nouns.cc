@@ -33,7 +33,8 @@ bool Chunker::noun_follows() const {
 // there, a word in -s is what that does, whatever else is called so.
 bool Chunker::read_inverted_verb() {
   const std::string& word = tokens_[i_].text;
-  if (!word.ends_with("s") || word.ends_with("ss") || i_ + 1 >= tokens_.size() || chunks_.empty() || chunks_.back().last != i_)
+  if (word.size() < 3 || !word.ends_with("s") || word.ends_with("ss") || i_ + 1 >= tokens_.size() || chunks_.empty() ||
+      chunks_.back().last != i_)
     return false;
   const Token& next = tokens_[i_ + 1];
   if (!lexicon_.is(next, WordClass::kIndefinite) && !lexicon_.is(next, WordClass::kDefinite) && !lexicon_.is(next, WordClass::kPossessive))

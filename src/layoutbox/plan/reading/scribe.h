@@ -41,6 +41,8 @@ class Scribe {
   // Mentions of nouns.
   int make_mention(int u);
   bool as_reference_of(int u, RelationType type) const;
+  int group_left(const NounPhrase& noun) const;
+  NounPhrase shared_out_to_all(int u, const NounPhrase& noun, int antecedent) const;
   int share_one_each(const NounPhrase& noun);
   int make_member(int u, const NounPhrase& noun);
   int make_another(int u, const NounPhrase& noun);

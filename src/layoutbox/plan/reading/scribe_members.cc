@@ -226,16 +226,13 @@ int Scribe::make_member(int u, const NounPhrase& noun) {
   if (antecedent >= 0 && noun.count == 0 && noun.ordinal > 1 && mention_at(antecedent).introduces &&
       static_cast<std::size_t>(noun.ordinal) == mention_at(antecedent).items.size() + 1)
     return copy_of(antecedent, noun);
-  // "jars are on three of the desks, and the remaining three are bare": the desks that are left
-  const int last = references_.latest_group();
-  const bool left_over = noun.determiner == Determiner::kOther && noun.count > 0 && last >= 0 && is_some_of_group(last) &&
-                         references_.has_left(last, noun.count);
-  if (left_over) antecedent = last;
+  const int rest = group_left(noun);
+  if (rest >= 0) antecedent = rest;
   // "two lockers stand by the door and the other two at the window": four.
   const bool of_placed = antecedent >= 0 && mention_at(antecedent).introduces &&
                          mention_at(antecedent).items.size() <= static_cast<std::size_t>(std::max(noun.count, 1)) &&
                          reading(u).role != NounRole::kReference;
-  if (noun.determiner == Determiner::kOther && of_placed && !left_over) {
+  if (noun.determiner == Determiner::kOther && of_placed && rest < 0) {
     if (const int others = make_another(u, noun); others >= 0) {
       references_.join_group(others, antecedent);
       return others;
@@ -248,6 +245,20 @@ int Scribe::make_member(int u, const NounPhrase& noun) {
     const int whole = references_.whole_group(antecedent);
     if (mention_at(whole).items.size() >= mention_at(antecedent).items.size()) antecedent = whole;  // not the first thing of a list
   }
+  const int mention = references_.mention(shared_out_to_all(u, noun, antecedent), antecedent, reading(u).role == NounRole::kReference);
+  // "both have a lamp": every single one.
+  if (noun.determiner == Determiner::kBoth && is(u + 1, UnitKind::kHave)) mention_at(mention).distributes = true;
+  return mention;
+}
+
+// "jars are on three of the desks, and the remaining three are bare": the desks, of which so many are left; −1: none.
+int Scribe::group_left(const NounPhrase& noun) const {
+  const int last = noun.determiner == Determiner::kOther && noun.count > 0 ? references_.latest_group() : -1;
+  return last >= 0 && is_some_of_group(last) && references_.has_left(last, noun.count) ? last : -1;
+}
+
+// The member as all of the group, where its place shares them out.
+NounPhrase Scribe::shared_out_to_all(int u, const NounPhrase& noun, int antecedent) const {
   NounPhrase meant = noun;
   // "two tables, one on each side of the bed": the two, not one of them.
   const bool sides =
@@ -265,10 +276,7 @@ int Scribe::make_member(int u, const NounPhrase& noun) {
   const std::size_t all = antecedent >= 0 ? mention_at(antecedent).items.size() : 0,
                     share = static_cast<std::size_t>(std::max(noun.count, 1));
   if (shared_out && all > share && all % share == 0) meant.determiner = Determiner::kBoth;  // "six stools, two per table"
-  const int mention = references_.mention(meant, antecedent, reading(u).role == NounRole::kReference);
-  // "both have a lamp": every single one.
-  if (noun.determiner == Determiner::kBoth && is(u + 1, UnitKind::kHave)) mention_at(mention).distributes = true;
-  return mention;
+  return meant;
 }
 
 // "A bassinet is drawn up to the bed": a bassinet is a bed, but nothing stands by itself. −1: the mention means something else.
