@@ -97,6 +97,16 @@ const CatalogEntry* kin_by_line(const Catalog& catalog, std::string_view line) {
   return nullptr;
 }
 
+// "A stuffed heron": birds are stuffed to look alive, other animals as toys too.
+const CatalogEntry* stuffed_kind(const Catalog& catalog, std::string_view modifier, const std::string& animal) {
+  if (modifier != "stuffed") return nullptr;
+  for (const std::string& form : singular_forms(animal)) {
+    const CatalogEntry* kin = kin_by_line(catalog, english_line(form));
+    if (kin != nullptr && kin->id == "bird") return kin;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 std::string_view english_line(std::string_view word) {
@@ -200,8 +210,10 @@ bool is_kin_head(std::string_view word) { return known_kinds().heads.contains(wo
 const CatalogEntry* kin_of(const Catalog& catalog, std::string_view noun) {
   const std::vector<std::string> words = words_of(noun);
   for (std::size_t i = 0; i + 1 < words.size(); ++i) {
-    if (const auto found = known_kinds().modifiers.find(words[i]); found != known_kinds().modifiers.end())
-      return catalog.find(found->second);
+    const auto found = known_kinds().modifiers.find(words[i]);
+    if (found == known_kinds().modifiers.end()) continue;
+    const CatalogEntry* stuffed = stuffed_kind(catalog, words[i], words.back());
+    return stuffed != nullptr ? stuffed : catalog.find(found->second);
   }
   // The longest ending that is a word: "antique credenza" → credenza.
   for (std::size_t from = 0; from < words.size(); ++from) {

@@ -38,6 +38,8 @@ TEST(Kin, ACompoundIsLikeWhatItsHeadUsuallyIs) {
 
 TEST(Kin, AWordBeforeTheNounMaySayMore) {
   EXPECT_EQ(kin("plush walrus"), "teddy_bear");
+  EXPECT_EQ(kin("stuffed heron"), "bird");
+  EXPECT_EQ(kin("stuffed walrus"), "teddy_bear");
   EXPECT_TRUE(is_kin_modifier("plush"));
   EXPECT_FALSE(is_kin_modifier("old"));
 }

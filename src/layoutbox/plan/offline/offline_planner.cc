@@ -24,6 +24,7 @@
 #include "layoutbox/plan/room/room_reader.h"
 #include "layoutbox/plan/room/slopes.h"
 #include "layoutbox/plan/words/american_spelling.h"
+#include "layoutbox/plan/words/letters.h"
 #include "layoutbox/plan/words/spelling.h"
 
 namespace layoutbox {
@@ -109,8 +110,10 @@ class OfflinePlanner final : public Planner {
     note_unknown(document, plan.scene);
     note_left_out(lexicon_, document, plan.scene);
     for (std::size_t i = 0; i < document.tokens.size(); ++i) {
-      if (document.tokens[i].kind != Token::Kind::kPunctuation && document.tokens[i].begin < document.tokens[i].end)
-        plan.readings.push_back(std::move(document.readings[i]));
+      const Token& token = document.tokens[i];
+      if (token.begin >= token.end || (token.kind == Token::Kind::kPunctuation && !is_lettered(document.prompt, token))) continue;
+      if (token.kind == Token::Kind::kPunctuation) document.readings[i].role = "an entry's mark";
+      plan.readings.push_back(std::move(document.readings[i]));
     }
     plan.readings.insert(plan.readings.end(), of_size.begin(), of_size.end());
     std::sort(plan.readings.begin(), plan.readings.end(), [](const WordReading& a, const WordReading& b) { return a.begin < b.begin; });
@@ -119,6 +122,11 @@ class OfflinePlanner final : public Planner {
 
  private:
   static Failure stopped() { return fail(ErrorCode::kInterrupted, "stopped", {}, "what was finished is kept"); }
+
+  // "Item A:"
+  static bool is_lettered(std::string_view prompt, const Token& token) {
+    return std::ranges::any_of(prompt.substr(token.begin, token.end - token.begin), is_letter);
+  }
 
   // What stops without a full stop reads as if it had one.
   static void end_last_sentence(Document& document) {

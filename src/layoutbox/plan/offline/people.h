@@ -18,6 +18,9 @@ void settle_room_senses(const Lexicon& lexicon, Document& document);
 // Words of several senses by the words beside them: "bare boards", a board with keys.
 void settle_word_senses(const Lexicon& lexicon, Document& document);
 
+// Trucks, trains and boats on or in furniture, on a rug or in a room for children are toys.
+void settle_toys(const Lexicon& lexicon, Document& document);
+
 // What such a thing has of its own is a part of it ("backwash chairs with basins"), and what is named beside another may be of another
 // kind: a PC with two monitors is its tower.
 void settle_company(const Lexicon& lexicon, Document& document);

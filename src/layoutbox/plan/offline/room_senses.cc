@@ -230,6 +230,13 @@ bool carries_things(const CatalogEntry& entry) {
   return entry.top_carries || std::ranges::any_of(entry.spaces, [](const SpaceFormula& space) { return space.carries; });
 }
 
+// "a long wooden bench" of a gym: a plain one, not the kind that nobody rests on.
+bool is_to_sit_on(const Lexicon& lexicon, const NounPhrase& noun, const CatalogEntry& meant) {
+  const bool other_use =
+      noun.entry != nullptr && noun.entry->is(Trait::kSeat) && !meant.is(Trait::kSeat) && lexicon.catalog().is_a(meant.id, noun.entry->id);
+  return other_use && std::ranges::any_of(noun.attributes, [](const std::string& a) { return one_of(a, WordSet::kSeatLooks); });
+}
+
 // "a small table" of a clinic is none to lie on.
 bool is_said_small(const NounPhrase& noun) {
   return std::ranges::any_of(noun.attributes, [](const std::string& a) { return one_of(a, {"small", "little", "tiny", "low", "round"}); });
@@ -280,6 +287,7 @@ void settle_room_senses(const Lexicon& lexicon, Document& document) {
     const bool has_things = has && (first == nullptr || first->mount != Mount::kWall);  // "a vanity with a mirror"
     if (has_things && noun.entry != nullptr && noun.entry->top_carries && !carries_things(*entry)) continue;
     if (entry->is(Trait::kLieOn) && is_said_small(noun)) continue;
+    if (is_to_sit_on(lexicon, noun, *entry)) continue;
     noun.kind = NounKind::kObject;
     noun.entry = entry;
     noun.category = entry->id;

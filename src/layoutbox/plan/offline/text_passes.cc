@@ -116,6 +116,7 @@ constexpr PhrasePass kPhrasePasses[] = {
     {"purposes", settle_purposes, "A bedroom for a teenager with a bed and a desk.", "A bedroom with a bed and a desk."},
     {"room senses", settle_room_senses, "A gym with a treadmill and mats.", "A gym with a treadmill and exercise mats."},
     {"word senses", settle_word_senses, "A bedroom with a bed on bare boards.", "A bedroom with a bed and a wooden floor."},
+    {"toys", settle_toys, "A living room with a rug. A truck is on the rug.", "A living room with a rug. A toy car is on the rug."},
     {"company", settle_company, "An office with a desk with a PC and two monitors on it.",
      "An office with a desk with a computer tower and two monitors on it."},
     {"worktops", kWithout<settle_worktops>, "A kitchen with a sink, white base cabinets, oak worktop.",

@@ -24,7 +24,7 @@ class AbsentReader {
         continue;
       }
       const std::size_t length = std::max(match(absent, i), for_now ? match(yet, i) : 0);
-      if (length == 0) continue;
+      if (length == 0 || is_outside_thing(i + length)) continue;
       const std::size_t first = clause_begins(i);
       std::size_t end = i + length;
       if (first == i && end < tokens_.size() && tokens_[end].text == ",") ++end;            // "eventually, …"
@@ -58,6 +58,15 @@ class AbsentReader {
       if ((at == 0 || words[at - 1] == '|') && (end == words.size() || words[end] == '|')) return true;
     }
     return false;
+  }
+
+  // "Four blocks are outside the toy box": out of a thing that is in the room, and so in the room.
+  bool is_outside_thing(std::size_t end) const {
+    if (tokens_[end - 1].text != "outside") return false;
+    return std::ranges::any_of(document_.chunks, [&](const Chunk& chunk) {
+      const std::size_t of = end < tokens_.size() && tokens_[end].text == "of" ? end + 1 : end;
+      return chunk.kind == ChunkKind::kNoun && chunk.first == of && chunk.noun.kind == NounKind::kObject;
+    });
   }
 
   bool is_break(std::size_t i) const {

@@ -1,5 +1,6 @@
 // Where a noun phrase begins and ends among the chunks, and what of the words after it still says what it is like.
 #include <algorithm>
+#include <array>
 
 #include "layoutbox/plan/phrases/chunks.h"
 #include "layoutbox/plan/phrases/chunks_parts.h"
@@ -26,6 +27,31 @@ bool Chunker::noun_follows() const {
   // "a stand that bears a kettle": "that" is of one thing, and "bears" a verb.
   const bool many_after_that = noun && noun->plural && tokens_[i_].text == "that";
   return noun && noun->kind == NounKind::kObject && !many_after_that;
+}
+
+// "At its center bubbles a hot tub", "under it hums the minibar": after the place that a clause begins with, and before the thing that is
+// there, a word in -s is what that does, whatever else is called so.
+bool Chunker::read_inverted_verb() {
+  const std::string& word = tokens_[i_].text;
+  if (word.size() < 3 || !word.ends_with("s") || word.ends_with("ss") || i_ + 1 >= tokens_.size() || chunks_.empty() ||
+      chunks_.back().last != i_)
+    return false;
+  const Token& next = tokens_[i_ + 1];
+  if (!lexicon_.is(next, WordClass::kIndefinite) && !lexicon_.is(next, WordClass::kDefinite) && !lexicon_.is(next, WordClass::kPossessive))
+    return false;
+  const bool known = std::ranges::any_of(std::array{WordClass::kPlaceVerb, WordClass::kHave, WordClass::kHang, WordClass::kBe},
+                                         [&](WordClass listed) { return lexicon_.is(tokens_[i_], listed); }) ||
+                     lexicon_.find_phrase(tokens_, i_).length > 0;
+  const bool thing = lexicon_.find(tokens_, i_, WordClass::kObject).length > 0;
+  const auto there = read_noun_phrase(lexicon_, tokens_, i_ + 1, false);  // not "the length of the wall"
+  if (known || (thing && !may_be_verb(word)) || !there || there->kind != NounKind::kObject) return false;
+  std::size_t c = chunks_.size() - 1;
+  if (chunks_[c].kind == ChunkKind::kNoun && c > 0) --c;
+  const bool opens = c == 0 || chunks_[c - 1].kind == ChunkKind::kStop || chunks_[c - 1].kind == ChunkKind::kComma ||
+                     chunks_[c - 1].kind == ChunkKind::kAnd || chunks_[c - 1].kind == ChunkKind::kClause;
+  if (!opens || chunks_[c].kind != ChunkKind::kRelation) return false;
+  add(ChunkKind::kVerb, 1).placing = true;
+  return true;
 }
 
 bool Chunker::read_noun(bool bare) {

@@ -6,6 +6,7 @@
 #include "layoutbox/base/words.h"
 #include "layoutbox/plan/phrases/chunks_parts.h"
 #include "layoutbox/plan/phrases/knowledge.h"
+#include "layoutbox/plan/phrases/reader_words.h"
 #include "layoutbox/plan/words/english.h"
 #include "layoutbox/plan/words/word_sets.h"
 
@@ -62,7 +63,8 @@ void Chunker::read() {
     add(ChunkKind::kIgnored, 1);
     return;
   }
-  if (read_where_in() || read_entering() || read_such_as() || read_leave_out() || read_that_may() || read_whose()) return;
+  if (read_where_in() || read_entering() || read_such_as() || read_leave_out() || read_that_may() || read_whose() || read_inverted_verb())
+    return;
   if (opens_question() || says_enough() || is_all_around() || is_loose_particle()) {
     add(ChunkKind::kIgnored, 1);
     return;

@@ -113,6 +113,7 @@ class Chunker {
   bool read_steps();
   bool read_having_by();
   bool read_noun(bool bare);
+  bool read_inverted_verb();
   void add_phrase(const PhraseMatch& phrase);
   // Verbs, joining words and relation phrases; the longest wins, and of equals the first of this order.
   bool read_words(const PhraseMatch& phrase, std::size_t without);

@@ -176,6 +176,10 @@ bool NounPhraseReader::read_unlisted() {
     ++i_;
     return true;
   }
+  // "a heron watching the door": what it does to something
+  const bool does = !parts_.empty() && parts_.back().last == i_ && token().text.ends_with("ing") && opens_at(i_ + 1) &&
+                    parts_.back().word_class == WordClass::kFiller;
+  if (does) return false;
   if ((lexicon_.find_phrase(tokens_, i_).length > 0 && !counts_unlisted()) || (!is_named() && !bare_) || !word_may_belong()) return false;
   return add(WordClass::kFiller, {WordClass::kFiller, nullptr, nullptr, 0, {}}, 1, plural_at(i_));
 }
@@ -194,6 +198,7 @@ bool NounPhraseReader::ends_before(const Match& match) const {
   // "both stand", "all sit": the verb.
   const bool verb = match.length == 1 && !plural_at(i_) && has(match, WordClass::kPlaceVerb);
   if (parts_.empty()) {
+    if (verb && counted_ && phrase_.count > 1 && place_at(i_ + 1)) return true;  // "the other two stand by the wall"
     // "both look toward the window"
     if (phrase_.determiner == Determiner::kBoth && may_be_verb(token().text) && lexicon_.find_phrase(tokens_, i_).length > 1 &&
         !plural_at(i_))

@@ -41,6 +41,9 @@ class Scribe {
   // Mentions of nouns.
   int make_mention(int u);
   bool as_reference_of(int u, RelationType type) const;
+  int group_left(const NounPhrase& noun) const;
+  NounPhrase shared_out_to_all(int u, const NounPhrase& noun, int antecedent) const;
+  int share_one_each(const NounPhrase& noun);
   int make_member(int u, const NounPhrase& noun);
   int make_another(int u, const NounPhrase& noun);
   int make_more(int u, const NounPhrase& noun);
@@ -110,6 +113,9 @@ class Scribe {
   void grow_for_corners(const NounPhrase& corner, int target);
   int pair_looking();
   void mean_sides_of_room(Link& link);
+  void grow_on(const Link& link, int thing, int some);
+  void grow_on_some(const Link& link, int some);
+  bool is_some_of_group(int mention) const;
   void grow_for_openings(const NounPhrase& opening, int target);
   int each_of_openings(int u, const NounPhrase& noun);
   void grow_contents(int host, std::size_t before);

@@ -186,4 +186,41 @@ int Scribe::thing_of_zone(int u, const NounPhrase& noun) const {
   return so_far_.topic >= 0 && is_thing(so_far_.topic) ? so_far_.topic : -1;
 }
 
+// The things of the list that the unit is of, or else of the next one, or the one before: what an order said there is of.
+std::vector<int> Scribe::list_ordered(int u) const {
+  std::vector<bool> goes_on(sentence_->size(), false);
+  for (std::size_t m = 0; m < sentence_->size(); ++m) {
+    if (const int former = reading(static_cast<int>(m)).former; former >= 0) goes_on[static_cast<std::size_t>(former)] = true;
+  }
+  const auto ends_at = [&](int last) {
+    std::vector<int> list;
+    for (int m = is(last, UnitKind::kNoun) && !goes_on[static_cast<std::size_t>(last)] ? last : -1; m >= 0; m = reading(m).former) {
+      if (const int mention = mention_[static_cast<std::size_t>(m)]; is_thing(mention)) list.insert(list.begin(), mention);
+    }
+    return list.size() > 1 ? list : std::vector<int>{};
+  };
+  for (int last = u; last < static_cast<int>(sentence_->size()); ++last) {
+    if (std::vector<int> list = ends_at(last); !list.empty()) return list;
+  }
+  for (int last = u; last-- > 0;) {
+    if (std::vector<int> list = ends_at(last); !list.empty()) return list;
+  }
+  return {};
+}
+
+// "from left to right"
+void Scribe::write_orders() {
+  for (int u = 0; u < static_cast<int>(sentence_->size()); ++u) {
+    if (unit(u).order == kNoOrder) continue;
+    const Chunk& said = document_.chunks[unit(u).order];
+    Link link;
+    link.senses = *said.phrase.senses;
+    link.targets = list_ordered(u);
+    link.first = said.first;
+    link.last = said.last;
+    link.soft = unit(u).soft;
+    if (!link.targets.empty()) document_.links.push_back(std::move(link));
+  }
+}
+
 }  // namespace layoutbox::offline

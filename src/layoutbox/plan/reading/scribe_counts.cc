@@ -137,6 +137,25 @@ void Scribe::grow_for_hosts(int content, const std::vector<int>& hosts) {
   if (!host.distributes && host.items.size() > mention_at(content).items.size()) references_.grow(content, host.items.size());
 }
 
+// "microscopes are set out on three of the desks": as many, where nobody says how many there are.
+void Scribe::grow_on(const Link& link, int thing, int some) {
+  const NounPhrase& noun = noun_of(thing);
+  const bool uncounted = mention_at(thing).introduces && noun.plural && noun.count == 0 && noun.determiner == Determiner::kNone;
+  if (!uncounted || !is_some_of_group(some) || !says(link.senses, &RelationTraits::rests)) return;
+  references_.grow(thing, std::max(mention_at(thing).items.size(), mention_at(some).items.size()));
+}
+
+// "two of them": several, but not all.
+bool Scribe::is_some_of_group(int mention) const {
+  if (!is_thing(mention) || mention_at(mention).introduces || mention_at(mention).items.size() < 2) return false;
+  const int whole = references_.whole_group(mention);
+  return whole >= 0 && mention_at(whole).items.size() > mention_at(mention).items.size();
+}
+
+void Scribe::grow_on_some(const Link& link, int some) {
+  for (const int target : link.targets) grow_on(link, target, some);
+}
+
 // "two windows in the back wall … a radiator under each window": as many as there are.
 void Scribe::grow_for_openings(const NounPhrase& opening, int target) {
   const bool each = opening.determiner == Determiner::kEach || opening.determiner == Determiner::kBoth;

@@ -191,7 +191,23 @@ bool Scribe::describes_one_of(int u, const NounPhrase& noun) const {
   return false;
 }
 
+// "vases stand on three of the tables, one each": as many vases as that are; −1: nothing was put so.
+int Scribe::share_one_each(const NounPhrase& noun) {
+  const bool each = noun.count == 1 && noun.last == noun.first + 2 && document_.tokens[noun.last - 1].text == "each";
+  for (std::size_t l = document_.links.size(); each && l-- > sentence_links_;) {
+    const Link link = document_.links[l];
+    if (link.kind != Link::Kind::kRelation || link.targets.size() != 1 || link.references.size() != 1) continue;
+    const int thing = link.targets.front(), by = link.references.front();
+    if (!is_thing(thing) || !is_thing(by) || mention_at(by).items.size() < 2) continue;
+    if (!mention_at(thing).introduces || !noun_of(thing).plural || noun_of(thing).count > 0) continue;
+    references_.grow(thing, mention_at(by).items.size());
+    return thing;
+  }
+  return -1;
+}
+
 int Scribe::make_member(int u, const NounPhrase& noun) {
+  if (const int shared = share_one_each(noun); shared >= 0) return shared;
   if (const int same = make_ordinal(noun); same >= 0) return same;
   if (const int others = others_listed(u, noun); others >= 0) return others;
   if (is_another(noun) && !describes_one_of(u, noun)) {
@@ -210,20 +226,39 @@ int Scribe::make_member(int u, const NounPhrase& noun) {
   if (antecedent >= 0 && noun.count == 0 && noun.ordinal > 1 && mention_at(antecedent).introduces &&
       static_cast<std::size_t>(noun.ordinal) == mention_at(antecedent).items.size() + 1)
     return copy_of(antecedent, noun);
+  const int rest = group_left(noun);
+  if (rest >= 0) antecedent = rest;
   // "two lockers stand by the door and the other two at the window": four.
   const bool of_placed = antecedent >= 0 && mention_at(antecedent).introduces &&
                          mention_at(antecedent).items.size() <= static_cast<std::size_t>(std::max(noun.count, 1)) &&
                          reading(u).role != NounRole::kReference;
-  if (noun.determiner == Determiner::kOther && of_placed) {
+  if (noun.determiner == Determiner::kOther && of_placed && rest < 0) {
     if (const int others = make_another(u, noun); others >= 0) {
       references_.join_group(others, antecedent);
       return others;
     }
   }
-  if (antecedent >= 0 && references_.has_left(antecedent, noun.count)) {
+  // "Two of them are at the wall, and each of these has a lamp": of the two.
+  const bool just_picked =
+      antecedent >= 0 && noun.determiner == Determiner::kEach && noun.subset && !noun.of && is_some_of_group(antecedent);
+  if (antecedent >= 0 && !just_picked && references_.has_left(antecedent, noun.count)) {
     const int whole = references_.whole_group(antecedent);
     if (mention_at(whole).items.size() >= mention_at(antecedent).items.size()) antecedent = whole;  // not the first thing of a list
   }
+  const int mention = references_.mention(shared_out_to_all(u, noun, antecedent), antecedent, reading(u).role == NounRole::kReference);
+  // "both have a lamp": every single one.
+  if (noun.determiner == Determiner::kBoth && is(u + 1, UnitKind::kHave)) mention_at(mention).distributes = true;
+  return mention;
+}
+
+// "jars are on three of the desks, and the remaining three are bare": the desks, of which so many are left; −1: none.
+int Scribe::group_left(const NounPhrase& noun) const {
+  const int last = noun.determiner == Determiner::kOther && noun.count > 0 ? references_.latest_group() : -1;
+  return last >= 0 && is_some_of_group(last) && references_.has_left(last, noun.count) ? last : -1;
+}
+
+// The member as all of the group, where its place shares them out.
+NounPhrase Scribe::shared_out_to_all(int u, const NounPhrase& noun, int antecedent) const {
   NounPhrase meant = noun;
   // "two tables, one on each side of the bed": the two, not one of them.
   const bool sides =
@@ -241,10 +276,7 @@ int Scribe::make_member(int u, const NounPhrase& noun) {
   const std::size_t all = antecedent >= 0 ? mention_at(antecedent).items.size() : 0,
                     share = static_cast<std::size_t>(std::max(noun.count, 1));
   if (shared_out && all > share && all % share == 0) meant.determiner = Determiner::kBoth;  // "six stools, two per table"
-  const int mention = references_.mention(meant, antecedent, reading(u).role == NounRole::kReference);
-  // "both have a lamp": every single one.
-  if (noun.determiner == Determiner::kBoth && is(u + 1, UnitKind::kHave)) mention_at(mention).distributes = true;
-  return mention;
+  return meant;
 }
 
 // "A bassinet is drawn up to the bed": a bassinet is a bed, but nothing stands by itself. −1: the mention means something else.
@@ -257,43 +289,6 @@ int Scribe::not_itself(int u, const NounPhrase& noun, int mention) {
   NounPhrase fresh = noun;
   fresh.determiner = Determiner::kIndefinite;
   return references_.mention(fresh, -1, false);
-}
-
-// The things of the list that the unit is of, or else of the next one, or the one before: what an order said there is of.
-std::vector<int> Scribe::list_ordered(int u) const {
-  std::vector<bool> goes_on(sentence_->size(), false);
-  for (std::size_t m = 0; m < sentence_->size(); ++m) {
-    if (const int former = reading(static_cast<int>(m)).former; former >= 0) goes_on[static_cast<std::size_t>(former)] = true;
-  }
-  const auto ends_at = [&](int last) {
-    std::vector<int> list;
-    for (int m = is(last, UnitKind::kNoun) && !goes_on[static_cast<std::size_t>(last)] ? last : -1; m >= 0; m = reading(m).former) {
-      if (const int mention = mention_[static_cast<std::size_t>(m)]; is_thing(mention)) list.insert(list.begin(), mention);
-    }
-    return list.size() > 1 ? list : std::vector<int>{};
-  };
-  for (int last = u; last < static_cast<int>(sentence_->size()); ++last) {
-    if (std::vector<int> list = ends_at(last); !list.empty()) return list;
-  }
-  for (int last = u; last-- > 0;) {
-    if (std::vector<int> list = ends_at(last); !list.empty()) return list;
-  }
-  return {};
-}
-
-// "from left to right"
-void Scribe::write_orders() {
-  for (int u = 0; u < static_cast<int>(sentence_->size()); ++u) {
-    if (unit(u).order == kNoOrder) continue;
-    const Chunk& said = document_.chunks[unit(u).order];
-    Link link;
-    link.senses = *said.phrase.senses;
-    link.targets = list_ordered(u);
-    link.first = said.first;
-    link.last = said.last;
-    link.soft = unit(u).soft;
-    if (!link.targets.empty()) document_.links.push_back(std::move(link));
-  }
 }
 
 }  // namespace layoutbox::offline

@@ -66,6 +66,7 @@ void Scribe::grow_for_reference(int index, int mention, bool both) {
       mention_at(targets.front()).distributes)
     references_.mean_one_for_each(mention, mention_at(targets.front()).items.size());
   grow_for_every(index, mention);
+  grow_on_some(link_at(index), mention);
   grow_on_all(link_at(index), mention, both);
 }
 
@@ -219,6 +220,7 @@ void Scribe::grow_fronted(int p, int mention) {
     const NounPhrase wall = noun_of(reference);
     if (is(p + 1, UnitKind::kNoun)) imply_opposite(p + 1, wall, at);
     grow_for_corners(noun_of(reference), mention);
+    grow_on(waiting, mention, reference);
     const bool on_all = chunk(p + 1).noun.determiner == Determiner::kBoth && says(link_at(at).senses, RelationType::kOn) &&
                         noun_of(mention).determiner == Determiner::kIndefinite;  // "on both tables stands a lamp"
     if (mention_at(reference).distributes || on_all) grow_for_each(mention, reference);

@@ -197,7 +197,7 @@ bool UnitReader::is_told_by_the_way(std::size_t k) {
     mark(k, Use::kIgnored, "opens a statement");
     return true;
   }
-  if (is_said_of_subject(k) || announces_things(k) || is_address(k)) {
+  if (is_said_of_subject(k) || announces_things(k) || is_address(k) || is_one_of_rooms(k)) {
     mark(k, Use::kIgnored, "no object");
     return true;
   }

@@ -97,6 +97,7 @@ class UnitReader {
   bool counts_before(std::size_t k);
   bool announces_things(std::size_t k) const;
   bool is_address(std::size_t k) const;
+  bool is_one_of_rooms(std::size_t k) const;
   bool is_used_in_place(std::size_t k) const;
   void take_told(std::size_t k);
   bool opens_command(std::size_t k);

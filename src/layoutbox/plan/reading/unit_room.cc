@@ -198,4 +198,18 @@ bool UnitReader::passes_spot(std::size_t k) {
   return true;
 }
 
+// "It is not a bad room, only a tired one": in a sentence that says what the room is and names nothing else, "one" is the room.
+bool UnitReader::is_one_of_rooms(std::size_t k) const {
+  const NounPhrase& noun = chunk(k).noun;
+  if (noun.kind != NounKind::kMember || noun.determiner != Determiner::kIndefinite || noun.of || noun.last <= noun.first) return false;
+  if (document_.tokens[noun.last - 1].text != "one") return false;
+  bool room = false;
+  for (std::size_t c = k; c-- > 0 && chunk(c).kind != ChunkKind::kStop;) {
+    if (chunk(c).kind != ChunkKind::kNoun || chunk(c).noun.kind == NounKind::kPronoun) continue;
+    if (chunk(c).noun.kind != NounKind::kRoom && chunk(c).noun.kind != NounKind::kOutsideRoom) return false;
+    room = room || !is(previous(c), ChunkKind::kRelation);
+  }
+  return room;
+}
+
 }  // namespace layoutbox::offline

@@ -159,6 +159,19 @@ bool RelationBuilder::is_sat_on(const NounPhrase& noun) const {
   return is_seat(catalog_, noun) || (noun.entry != nullptr && noun.entry->is(Trait::kEasySeat));
 }
 
+namespace {
+
+// Furniture of the floor's and small things that have room in there.
+bool goes_within(const NounPhrase& host, const NounPhrase& thing) {
+  if (thing.entry == nullptr) return true;
+  const Mount mount = mount_of(thing);
+  const Size &outer = host.entry->size.usual, &inner = thing.entry->size.usual;
+  return (mount == Mount::kFloor || mount == Mount::kSurface) && inner.width < outer.width && inner.depth < outer.depth &&
+         inner.height < outer.height;
+}
+
+}  // namespace
+
 // One kind of thing that the hosts have.
 void RelationBuilder::add_content(const Link& link, const Mention& target, const std::vector<int>& hosts) {
   const NounPhrase &host = noun_of_item(hosts.front()), &thing = target.noun;
@@ -173,8 +186,9 @@ void RelationBuilder::add_content(const Link& link, const Mention& target, const
   // "a big table with potted plants and vases"
   const bool small = is_table(catalog_, host) && target.items.size() > 1 && thing.entry != nullptr &&
                      kind_at(catalog_, thing.entry->id, KinPlace::kOnThing) != nullptr;
+  const bool within = (says_inside(link) || link.holding) && is_entered(host) && goes_within(host, thing);
   const bool carried = small || may_carry(catalog_, host, thing) || (link.holding && (shows(link) || on_table)) ||
-                       (says_inside(link) && has_inside(host) && !is_heavy(catalog_, thing));
+                       (says_inside(link) && has_inside(host) && !is_heavy(catalog_, thing)) || within;
   if (joined && mount == Mount::kSurface && mount_of(host) == Mount::kSurface) return each(R::kNextTo);
   // "an armchair with a lamp": beside it.
   const bool sat_on = is_sat_on(host);
@@ -182,7 +196,7 @@ void RelationBuilder::add_content(const Link& link, const Mention& target, const
   const bool looked_at = thing.entry != nullptr && thing.entry->is(Trait::kScreen);
   // "a corner sofa with a TV": it looks at it.
   if (looked_at && sat_on && mount != Mount::kFloor) return add(link, R::kFacing, {id(hosts.front())}, {id(target.items.front())});
-  const bool inside = (holds_inside(host) && !looked_at) || (says_inside(link) && has_inside(host));
+  const bool inside = (holds_inside(host) && !looked_at) || (says_inside(link) && has_inside(host)) || within;
   // "a cork board with photographs": pinned to it.
   const bool pinned = has_hooks(host) && mount == Mount::kWall && thing.entry != nullptr && host.entry != nullptr &&
                       thing.entry->size.usual.width < host.entry->size.usual.width / 2;

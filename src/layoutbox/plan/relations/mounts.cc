@@ -267,7 +267,7 @@ bool RelationBuilder::lies_folded(const std::string& object, const NounPhrase& n
     if (host == nullptr || noun_of_object(*host).entry == nullptr) return false;
     const NounPhrase& carrier = noun_of_object(*host);
     const auto hangs_there = [&](const std::string& kind) { return catalog_.is_a(carrier.entry->id, kind); };
-    const bool flat = carrier.entry->top_carries || carrier.entry->is(Trait::kBed) || is_seat(catalog_, carrier);
+    const bool flat = carrier.entry->top_carries || carrier.entry->thin || carrier.entry->is(Trait::kBed) || is_sat_on(carrier);
     return flat && std::ranges::none_of(noun.entry->stands_on, hangs_there);
   });
 }

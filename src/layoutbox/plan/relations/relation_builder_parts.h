@@ -140,6 +140,7 @@ class RelationBuilder : private RelationWriter {
   // What one sees into: things that it has are in it; on others they stand on top.
   bool holds_inside(const NounPhrase& host) const;
   bool has_inside(const NounPhrase& host) const;
+  bool is_entered(const NounPhrase& host) const;
   bool is_hollow_by(const Link& link, const NounPhrase& host) const;
   // Who is in front of a desk or a screen looks at it; a screen in front of a bed looks at the bed.
   void add_look(const Link& link, RelationType type, int item, int reference);

@@ -226,7 +226,15 @@ bool RelationBuilder::holds_inside(const NounPhrase& host) const {
 bool RelationBuilder::has_inside(const NounPhrase& host) const {
   if (host.entry == nullptr) return is_storage(host);
   if (host.entry->is(Trait::kVessel)) return true;
-  return std::any_of(host.entry->spaces.begin(), host.entry->spaces.end(), [](const SpaceFormula& s) { return s.carries; });
+  return std::any_of(host.entry->spaces.begin(), host.entry->spaces.end(),
+                     [](const SpaceFormula& s) { return s.carries || s.name == "inside"; });
+}
+
+// A cabin, a booth, a tent: one goes into it, and what it has is in it, whatever the verb.
+bool RelationBuilder::is_entered(const NounPhrase& host) const {
+  constexpr Mm kHigh = 1100;  // a child's tent
+  return host.entry != nullptr && host.entry->size.usual.height >= kHigh && mount_of(host) == Mount::kFloor &&
+         std::ranges::any_of(host.entry->spaces, [](const SpaceFormula& s) { return s.name == "inside"; });
 }
 
 // "four croissants inside", said of what has no inside of its own, or of which nothing is known: it is hollow for them.

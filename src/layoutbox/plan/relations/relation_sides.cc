@@ -17,6 +17,18 @@ using R = RelationType;
 
 using Direction = PhraseSense::Direction;
 
+namespace {
+
+// "two ferns on either side of the desk": in pots on the floor, unless they are small ones.
+bool is_floor_plant(const NounPhrase& noun) {
+  constexpr Mm kSmall = 400;  // of height
+  const auto is_little = [](const std::string& a) { return one_of(a, {"small", "little", "tiny", "mini"}); };
+  return noun.entry != nullptr && noun.entry->is(Trait::kPlant) && noun.entry->size.usual.height > kSmall &&
+         std::ranges::none_of(noun.attributes, is_little);
+}
+
+}  // namespace
+
 bool RelationBuilder::lie_on(const Link& link, const std::vector<int>& items, int host) const {
   constexpr Mm kEyes = 1400;
   const NounPhrase& carrier = noun_of_item(host);
@@ -29,6 +41,7 @@ bool RelationBuilder::lie_on(const Link& link, const std::vector<int>& items, in
   return std::all_of(items.begin(), items.end(), [&](int item) {
     const std::vector<std::string>& qualities = noun_of_item(item).attributes;
     if (std::find(qualities.begin(), qualities.end(), "tall") != qualities.end()) return false;  // beside it
+    if (!ends && is_floor_plant(noun_of_item(item))) return false;
     // What flanks a bookcase stands beside it: nobody sees it up there.
     if (!ends && is_storage(carrier) && carrier.entry->size.usual.height > kEyes) return false;
     // Loudspeakers flank a sideboard on the floor.
