@@ -148,7 +148,7 @@ TEST_F(OfflinePlannerTest, OfSeveralEachHasTheColorThatIsSaidOfIt) {
 }
 
 TEST_F(OfflinePlannerTest, SoftWordsMakeSoftRelations) {
-  const SceneGraph read = scene("A bed against the wall. Ideally, a desk stands under the window.");
+  const SceneGraph read = scene("A bed against the wall. Ideally, a chest stands under the window.");
   ASSERT_EQ(read.relations.size(), 2u);
   EXPECT_TRUE(read.relations[0].hard);
   EXPECT_FALSE(read.relations[1].hard);

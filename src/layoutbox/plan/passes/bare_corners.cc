@@ -123,6 +123,7 @@ void part_things_from_it(const Lexicon& lexicon, Document& document, std::vector
               lexicon.is(document.tokens[at], WordClass::kMaterial));
     };
     while (noun < i + 1 + kMostLooks && is_look(noun)) ++noun;
+    if (noun < document.tokens.size() && lexicon.is(document.tokens[noun], WordClass::kPlaceVerb)) continue;  // "under it stand two crates"
     const Match thing = noun < document.tokens.size() ? lexicon.find(document.tokens, noun, WordClass::kObject) : Match{};
     if (thing.length == 0) continue;
     const std::string& last = document.tokens[noun + thing.length - 1].text;

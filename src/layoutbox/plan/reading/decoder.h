@@ -179,6 +179,7 @@ class Decoder {
   bool placed_by_unsaid(int u) const;
   bool placed_by_it(int u) const;
   bool placed_by_host(int u) const;
+  bool comes_with_it(const State& state, int u) const;
   bool is_fresh(int u) const;
   bool hangs_twice(const State& state, int u, int member) const;
   double parallel_score(const State& state, int u, int member) const;

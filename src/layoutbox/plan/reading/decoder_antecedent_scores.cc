@@ -65,8 +65,7 @@ double Decoder::antecedent_place_score(const State& state, Referent referent, Re
   const bool first = subject >= 0 && read_as(state, subject).former < 0;  // … "with a sink, a mirror above": above the sink
   if (subject >= 0 && referent == owner && over && (is_it(noun) || (is_unsaid(noun) && first))) score += weight::kOwnHost;
   // "a piano in the corner with a candelabra on it": the piano, whatever else carries candelabras
-  const bool comes_with_it = subject >= 0 && referent == owner && is_it(noun) && is(read_as(state, subject).predicate, UnitKind::kHave);
-  if (comes_with_it && word(read_as(state, subject).predicate) == "with") score += weight::kOfWhatHas;
+  if (subject >= 0 && referent == owner && is_it(noun) && !says(senses, RelationType::kEachSideOf) && comes_with_it(state, subject)) score += weight::kOfWhatHas;
   // "four armchairs before the fire, each with a lamp behind it"
   const bool of_each = owner >= 0 && chunk(owner).noun.determiner == Determiner::kEach &&
                        (chunk(owner).noun.kind == NounKind::kMember || !target.is_plural());

@@ -23,6 +23,15 @@ bool Decoder::placed_by_unsaid(int u) const {
   return follows(u, UnitKind::kPlace) && !alone_senses(u + 1).empty() && !follows(u + 1, UnitKind::kNoun);
 }
 
+// "a piano with a candelabra on it", and nothing between.
+bool Decoder::comes_with_it(const State& state, int u) const {
+  const int predicate = read_as(state, u).predicate;
+  const int former = read_as(state, u).former;
+  if (!is(predicate, UnitKind::kHave) || word(predicate) != "with" || (former >= 0 && read_as(state, former).predicate == predicate))
+    return false;
+  return is(u + 1, UnitKind::kPlace) && unit(u + 1).joiner == Joiner::kNone && is(u + 2, UnitKind::kNoun) && chunk(u + 2).noun.head == "it";
+}
+
 // "with a cabinet under it", "with a lamp beside it": by the host, and not on it.
 bool Decoder::placed_by_host(int u) const {
   return has_own_place(u) && chunk(u + 2).noun.head == "it" && !says(unit(u + 1).direct, &RelationTraits::rests);

@@ -90,6 +90,13 @@ void Scribe::grow_for_sides(const Link& link, int target, int reference) {
   // "the dentist's stool and the nurse's stool on either side": one each
   bool either = false;  // "a lamp and a plant on either side": one of them at each
   for (std::size_t at = link.first; at < link.last; ++at) either |= says_one_of(document_, at, {"either"});
+  // … but a nightstand and a lamp, which stands on it, are two and two
+  const auto carried = [&](int one) {
+    return std::ranges::any_of(link.targets, [&](int other) {
+      return mount_of(noun_of(other)) == Mount::kFloor && may_carry(lexicon_.catalog(), noun_of(other), noun_of(one));
+    });
+  };
+  either = either && std::ranges::none_of(link.targets, carried);
   const bool told_apart = std::ranges::all_of(link.targets, [&](int one) {
     return (either || noun_of(one).determiner == Determiner::kDefinite) && mention_at(one).items.size() == 1;
   });
