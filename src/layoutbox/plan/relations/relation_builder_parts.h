@@ -245,6 +245,7 @@ class RelationBuilder : private RelationWriter {
   void watch_from_afar();
   void turn_to_what_hangs_over();
   void stand_abreast();
+  void stand_at_ends();
   void stand_rows_in_halves();
   void stand_under_wall_cabinets();
   void line_up(const std::string& first, const std::string& next);

@@ -72,6 +72,33 @@ void RelationBuilder::stand_rows_in_halves() {
   }
 }
 
+// "a fridge at the south end of the counter": at its short side, and of the two at that one.
+void RelationBuilder::stand_at_ends() {
+  static constexpr std::pair<std::string_view, RoomRegion> kEnds[] = {{"south", RoomRegion::kFront},
+                                                                             {"north", RoomRegion::kBack},
+                                                                             {"west", RoomRegion::kLeft},
+                                                                             {"east", RoomRegion::kRight}};
+  const std::size_t said = scene_.relations.size();
+  for (std::size_t r = 0; r < said; ++r) {
+    Relation& end = scene_.relations[r];
+    if (end.type != R::kAtFootOf || end.targets.size() != 1 || end.references.size() != 1) continue;
+    const SceneObject* counter = object_of(end.references[0]);
+    const CatalogEntry* entry = counter == nullptr ? nullptr : catalog_.find(counter->category);
+    if (entry == nullptr || !(entry->is(Trait::kCounter) || entry->is(Trait::kKitchenRun))) continue;
+    end.type = R::kAlongSide;
+    end.parameters = {};
+    end.parameters.side = Side::kShort;
+    const std::vector<std::string> targets = end.targets;
+    for (const auto& [word, region] : kEnds) {
+      if (!words_.have(scene_.relations[r], word)) continue;
+      Relation& part = add_habit(R::kInRegion, targets, {}, kTogether, "the end that is said");
+      part.parameters.region = region;
+      part.origin = Origin::kConcluded;
+      break;
+    }
+  }
+}
+
 // "two long benches parallel to each other", "four parallel bookshelves": side by side, not one behind the other's end.
 void RelationBuilder::stand_abreast() {
   const std::size_t said = scene_.relations.size();

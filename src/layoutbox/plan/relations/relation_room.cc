@@ -88,7 +88,9 @@ std::vector<std::string> RelationBuilder::opening_ids(const NounPhrase& noun) co
 
 // "A counter at the back left": who serves over it stands behind it, so it is not pushed into the corner.
 void RelationBuilder::leave_corners_to_servers() {
-  for (Relation& relation : scene_.relations) {
+  const std::size_t said = scene_.relations.size();
+  for (std::size_t r = 0; r < said; ++r) {
+    Relation& relation = scene_.relations[r];
     if (relation.type != R::kCorner || relation.targets.size() != 1 || relation.references.size() != 2) continue;
     const SceneObject* object = object_of(relation.targets.front());
     const CatalogEntry* entry = object == nullptr ? nullptr : catalog_.find(object->category);
@@ -97,11 +99,16 @@ void RelationBuilder::leave_corners_to_servers() {
     if (!served || entry->used_sides.size() > 2) continue;
     const auto at = [&](std::string_view wall) { return std::ranges::find(relation.references, wall) != relation.references.end(); };
     if (at("back") == at("front") || at("left") == at("right")) continue;
+    constexpr Mm kToServe = 1300, kToPass = 900;
+    const std::vector<std::string> targets = relation.targets;
+    const std::string behind = at("back") ? "back" : "front", beside = at("left") ? "left" : "right";
     relation.type = R::kInRegion;
     relation.parameters = {};
     relation.parameters.region = at("back") ? (at("left") ? RoomRegion::kBackLeft : RoomRegion::kBackRight)
                                             : (at("left") ? RoomRegion::kFrontLeft : RoomRegion::kFrontRight);
     relation.references.clear();
+    add_habit(R::kAgainstWall, targets, {behind}, kTogether, "who serves has room behind").parameters.gap = kToServe;
+    add_habit(R::kSideAgainstWall, targets, {beside}, kTogether, "who serves passes at the side").parameters.gap = kToPass;
   }
 }
 
