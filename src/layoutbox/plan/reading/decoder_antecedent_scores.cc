@@ -65,7 +65,8 @@ double Decoder::antecedent_place_score(const State& state, Referent referent, Re
   const bool first = subject >= 0 && read_as(state, subject).former < 0;  // … "with a sink, a mirror above": above the sink
   if (subject >= 0 && referent == owner && over && (is_it(noun) || (is_unsaid(noun) && first))) score += weight::kOwnHost;
   // "a piano in the corner with a candelabra on it": the piano, whatever else carries candelabras
-  if (subject >= 0 && referent == owner && is_it(noun) && !says(senses, RelationType::kEachSideOf) && comes_with_it(state, subject)) score += weight::kOfWhatHas;
+  if (subject >= 0 && referent == owner && is_it(noun) && !says(senses, RelationType::kEachSideOf) && comes_with_it(state, subject))
+    score += weight::kOfWhatHas;
   // "four armchairs before the fire, each with a lamp behind it"
   const bool of_each = owner >= 0 && chunk(owner).noun.determiner == Determiner::kEach &&
                        (chunk(owner).noun.kind == NounKind::kMember || !target.is_plural());
@@ -129,7 +130,9 @@ double Decoder::standing_score(const State& state, Referent referent, Referent s
   score += by_small_score(state, target, referent, senses);
   score += before_other_score(state, target, referent, senses);
   // What lies on the floor or on something else is seldom what one places things by.
-  if (mount_of(target) == Mount::kFloor && !stands(meant)) score -= 0.8;
+  // … but "a whiteboard on the wall, a desk to the right of it"
+  const bool board = meant.entry != nullptr && meant.entry->is(Trait::kScreen) && mount_of(meant) == Mount::kWall;
+  if (mount_of(target) == Mount::kFloor && !stands(meant)) score += board ? weight::kUsual : -0.8;
   // "A bar lies on the rack, and weights lean against it": against the rack
   if (mount_of(target) == Mount::kFloor && !lies && mount_of(meant) == Mount::kSurface && is_carried(state, referent))
     score += weight::kNotBeside;

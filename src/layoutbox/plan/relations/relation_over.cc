@@ -74,10 +74,8 @@ void RelationBuilder::stand_rows_in_halves() {
 
 // "a fridge at the south end of the counter": at its short side, and of the two at that one.
 void RelationBuilder::stand_at_ends() {
-  static constexpr std::pair<std::string_view, RoomRegion> kEnds[] = {{"south", RoomRegion::kFront},
-                                                                             {"north", RoomRegion::kBack},
-                                                                             {"west", RoomRegion::kLeft},
-                                                                             {"east", RoomRegion::kRight}};
+  static constexpr std::pair<std::string_view, RoomRegion> kEnds[] = {
+      {"south", RoomRegion::kFront}, {"north", RoomRegion::kBack}, {"west", RoomRegion::kLeft}, {"east", RoomRegion::kRight}};
   const std::size_t said = scene_.relations.size();
   for (std::size_t r = 0; r < said; ++r) {
     Relation& end = scene_.relations[r];

@@ -121,10 +121,23 @@ void RelationBuilder::touch_back_to_back() {
 
 // "an exam couch against the right wall": along it. Who lies there is not got at from its head alone.
 void RelationBuilder::lie_along_walls() {
-  for (Relation& at : scene_.relations) {
+  constexpr Mm kForOne = 1200;
+  const std::size_t said = scene_.relations.size();
+  for (std::size_t r = 0; r < said; ++r) {
+    Relation& at = scene_.relations[r];
     const SceneObject* object = at.type == R::kAgainstWall && at.targets.size() == 1 ? object_of(at.targets[0]) : nullptr;
     const CatalogEntry* entry = object == nullptr ? nullptr : catalog_.find(object->category);
-    if (entry == nullptr || !entry->is(Trait::kLieOn) || entry->is(Trait::kBed) || !at.asked()) continue;
+    // … and "a single bed along the left wall" lies along it
+    const bool for_one = entry != nullptr && entry->is(Trait::kBed) && entry->size.usual.width <= kForOne && words_.have(at, "along");
+    // "a long bench against the wall": its long side is
+    const bool long_one = entry != nullptr && !entry->has_front && entry->mount == Mount::kFloor && !entry->thin &&
+                          entry->size.usual.width >= 2 * entry->size.usual.depth && at.asked() && !words_.have(at, WordSet::kHeadEnds);
+    if (long_one) {
+      const std::vector<std::string> targets = at.targets, walls = at.references;
+      add_habit(R::kSideAgainstWall, targets, walls, kTogether, "long things stand along walls").parameters.side = Side::kLong;
+      continue;
+    }
+    if (entry == nullptr || !(entry->is(Trait::kLieOn) || for_one) || (entry->is(Trait::kBed) && !for_one) || !at.asked()) continue;
     if (2 * entry->size.usual.depth >= 3 * entry->size.usual.width && !words_.have(at, WordSet::kHeadEnds)) at.type = R::kSideAgainstWall;
   }
 }
