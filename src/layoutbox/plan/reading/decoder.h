@@ -180,6 +180,9 @@ class Decoder {
   bool placed_by_it(int u) const;
   bool placed_by_host(int u) const;
   bool comes_with_it(const State& state, int u) const;
+  double array_score(const State& state, int u, int member, bool many) const;
+  double before_own_host_score(const State& state, Referent referent, Referent subject, const PhraseSenses& senses,
+                               const NounPhrase* noun) const;
   bool is_fresh(int u) const;
   bool hangs_twice(const State& state, int u, int member) const;
   double parallel_score(const State& state, int u, int member) const;

@@ -277,6 +277,17 @@ double Decoder::own_center_score(const State& state, int u, int member) const {
   return its && read_as(state, member).role == NounRole::kReference ? weight::kLiesTwice : 0;
 }
 
+// "a bed with two nightstands in the middle", "desks with chairs in rows", "tables with chairs and red cloths, placed in two rows": the
+// bed, the desks and the tables are.
+double Decoder::array_score(const State& state, int u, int member, bool many) const {
+  const Referent host = host_of(state, member);
+  const bool in_middle = says(alone_senses(u), RelationType::kCenterOfRoom) && unit(u).joiner == Joiner::kNone;
+  const bool of_many = several(state, host) || (host >= 0 && chunk(host).noun.determiner == Determiner::kEach);
+  const double seats = comes_with(state, member) && (many ? of_many : in_middle) ? weight::kSmallByPlace : 0;
+  const bool cloth = many && is_textile(lexicon_.catalog(), noun_of(state, member)) && host != kNobody;
+  return seats + (cloth ? 2 * weight::kSmallByPlace : 0);
+}
+
 // "in a row", "in the center", "at the back": of the room, or of what has or carries the thing.
 void Decoder::alone_of_room(std::size_t s, int u, std::size_t level, double gain) {
   const State& state = states_[s];
@@ -316,12 +327,7 @@ void Decoder::alone_of_room(std::size_t s, int u, std::size_t level, double gain
     add(s, kAttachAlone, gain + meant.score, member, member, meant.referent);
   if (lies && is_thing(state, carrier)) add(s, kAttachAlone, gain + 1, member, member, carrier);
   gain += own_center_score(state, u, member);
-  // "a bed with two nightstands in the middle", "desks with chairs in rows": the bed and the desks
-  const bool in_middle = says(senses, RelationType::kCenterOfRoom) && unit(u).joiner == Joiner::kNone;
-  const bool of_many = several(state, host) || (host >= 0 && chunk(host).noun.determiner == Determiner::kEach);
-  if (comes_with(state, member) && (many ? of_many : in_middle)) gain += weight::kSmallByPlace;
-  // "tables with chairs and red cloths, placed in two rows": no cloth is
-  if (many && is_textile(lexicon_.catalog(), noun_of(state, member)) && host != kNobody) gain += 2 * weight::kSmallByPlace;
+  gain += array_score(state, u, member, many);
   // "a counter with an espresso machine and a pastry display at the back": the counter
   if (says(senses, RelationType::kInRegion) && unit(u).joiner == Joiner::kNone && is_thing(state, host) &&
       mount_of(noun_of(state, host)) == Mount::kFloor && read_as(state, member).former >= 0)

@@ -39,6 +39,22 @@ double Decoder::below_seat_score(const State& state, const NounPhrase& target, R
   return read_as(state, referent).role == NounRole::kReference ? weight::kNotBeside : 0;
 }
 
+// … by what is in front of what has it.
+double Decoder::before_own_host_score(const State& state, Referent referent, Referent subject, const PhraseSenses& senses,
+                                      const NounPhrase* noun) const {
+  const NounPhrase &target = noun_of(state, subject), &meant = noun_of(state, referent);
+  const Referent owner = subject >= 0 ? host_of(state, subject) : kNobody;
+  const bool small = mount_of(target) == Mount::kSurface;
+  double score = 0;
+  // "a keyboard in front": of the screen, not of the desk that carries both.
+  const bool before = says(senses, RelationType::kInFrontOf) || says(senses, RelationType::kBehind);
+  const bool has_it = owner != kNobody && (referent == owner || (owner >= 0 && referent == host_of(state, owner)));
+  // … but "a fireplace with two chairs in front": of the fireplace.
+  if (before && is_unsaid(noun) && subject >= 0 && referent == owner && stands(target) && stands(meant)) score += weight::kOwnHost;
+  if (before && has_it && small && is_table(lexicon_.catalog(), meant)) score += weight::kBeforeHost;
+  return score;
+}
+
 // How well what the phrase says of the subject fits the one that may be meant.
 double Decoder::antecedent_place_score(const State& state, Referent referent, Referent subject, const PhraseSenses& senses,
                                        const NounPhrase* noun) const {
@@ -74,13 +90,8 @@ double Decoder::antecedent_place_score(const State& state, Referent referent, Re
   // "a cage with a parrot inside": in the cage.
   const bool inside = says(senses, RelationType::kIn) && is_unsaid(noun);
   if (subject >= 0 && referent == owner && inside) score += weight::kInOwnHost;
-  // "a keyboard in front": of the screen, not of the desk that carries both.
-  const bool before = says(senses, RelationType::kInFrontOf) || says(senses, RelationType::kBehind);
-  const bool has_it = owner != kNobody && (referent == owner || (owner >= 0 && referent == host_of(state, owner)));
-  // … but "a fireplace with two chairs in front": of the fireplace.
-  if (before && is_unsaid(noun) && subject >= 0 && referent == owner && stands(target) && stands(meant)) score += weight::kOwnHost;
-  if (before && has_it && small && is_table(lexicon_.catalog(), meant)) score += weight::kBeforeHost;
-  return score + standing_score(state, referent, subject, senses) + apart_score(state, referent, subject, senses);
+  return score + before_own_host_score(state, referent, subject, senses, noun) + standing_score(state, referent, subject, senses) +
+         apart_score(state, referent, subject, senses);
 }
 
 // "A clock hangs above the bed": neither is beside the other then.
