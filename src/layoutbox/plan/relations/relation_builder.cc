@@ -62,6 +62,7 @@ void RelationBuilder::run() {
   for (std::size_t i = 0; i < scene_.objects.size(); ++i) settle_mount(i);
   settle_stands();
   fill_whole_walls();
+  lengthen_counters();
   leave_middle_to_rows();
   make_room_between();
   place_on_tops();

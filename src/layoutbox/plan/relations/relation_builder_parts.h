@@ -288,6 +288,7 @@ class RelationBuilder : private RelationWriter {
   bool settle_tall(SceneObject& object, const NounPhrase& noun);
   void settle_stands();
   void fill_whole_walls();
+  void lengthen_counters();
   void settle_seat_heights();
   void leave_middle_to_rows();
   void make_room_between();

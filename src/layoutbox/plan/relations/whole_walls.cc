@@ -7,6 +7,26 @@ namespace layoutbox::offline {
 
 using R = RelationType;
 
+// "a counter along the back wall" of a shop: half the wall long, where its kind is made so long.
+void RelationBuilder::lengthen_counters() {
+  constexpr int kPartOfWall = 2;
+  if (scene_.room.polygon.size() != 4) return;
+  const Point far = scene_.room.polygon[2];
+  for (const Relation& along : scene_.relations) {
+    if (along.type != R::kAgainstWall || along.targets.size() != 1 || along.references.size() != 1 || !words_.have(along, "along"))
+      continue;
+    const auto object = std::ranges::find(scene_.objects, along.targets.front(), &SceneObject::id);
+    const CatalogEntry* entry = object == scene_.objects.end() || object->size ? nullptr : noun_of_object(*object).entry;
+    const std::optional<Side> side = room_side_from_word(along.references.front());
+    if (entry == nullptr || !side || !entry->is(Trait::kCounter) || !entry->is(Trait::kOpenToRoom)) continue;
+    const Mm length = (*side == Side::kLeft || *side == Side::kRight ? far.y : far.x) / kPartOfWall;
+    SizeRange range = entry->size;
+    range.usual.width = std::clamp(length, range.usual.width, std::max(range.usual.width, range.greatest.width));
+    object->size = range;
+    object->size_source = SizeSource::kInferred;
+  }
+}
+
 // "a wardrobe along the whole left wall": as long as the wall, or as what else has to be there lets it be.
 void RelationBuilder::fill_whole_walls() {
   Point far = scene_.room.polygon.size() == 4 ? scene_.room.polygon[2] : Point{};

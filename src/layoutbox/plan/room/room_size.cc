@@ -58,6 +58,9 @@ class SizeReader {
   }
 
   void take(std::size_t first, std::size_t last, const char* role) {
+    // "about 5 x 6 m": not that all that follows is only about there
+    while (first > 0 && !skip_[first - 1] && says_one_of(document_, first - 1, {"about", "roughly", "around", "approximately", "circa"}))
+      --first;
     for (std::size_t i = first; i < last && i < tokens_.size(); ++i) {
       skip_[i] = true;
       document_.readings[i].use = WordReading::Use::kUsed;
