@@ -6,6 +6,7 @@
 #include "layoutbox/plan/passes/alternatives.h"
 #include "layoutbox/plan/passes/bans.h"
 #include "layoutbox/plan/passes/bare_corners.h"
+#include "layoutbox/plan/passes/bare_starts.h"
 #include "layoutbox/plan/passes/built_ins.h"
 #include "layoutbox/plan/passes/clusters.h"
 #include "layoutbox/plan/passes/corrections.h"
@@ -63,6 +64,8 @@ constexpr WordPass kWordPasses[] = {
     {"halves", read_halves, "A room with a bed and a desk. The left half is for the desk.",
      "A room with a bed and a desk. The desk is in the left half."},
     {"bare corners", complete_bare_corners, "A bedroom. Desk back right.", "A bedroom. A desk in the back right corner."},
+    {"bare starts", complete_bare_starts, "A shop. Behind counter shelves, above sink mirror.",
+     "A shop. Behind the counter some shelves, above the sink a mirror."},
     {"seats said", read_seats_said, "A dining room with a table that seats six.", "A dining room with a table for six."},
     {"labels", read_labels, "A bedroom with a bed for under 200 dollars.", "A bedroom with a bed."},
     {"corrected counts", read_corrected_counts, "A bedroom with one nightstand, make that two.", "A bedroom with two nightstands."},

@@ -20,6 +20,7 @@ struct WordSense {
   std::vector<std::string_view> at;      // one of these is a few words off, with no sign between
   std::vector<std::string_view> by;      // one of these is in its sentence
   std::vector<std::string_view> rooms;   // and the room is one of these, by its kind
+  std::vector<std::string_view> had_by;  // it is what one of these has: "a low table with cushions"; ids
   std::string_view is;                   // the catalogue's id, a word that is like one, "floor", or "part"
 };
 
@@ -35,7 +36,7 @@ const std::vector<WordSense>& word_senses() {
     std::vector<WordSense> senses;
     for (const WordList::Member row : word_list("words_room").at("word_senses"))
       senses.push_back({texts_at(row.value, "of"), texts_at(row.value, "before"), texts_at(row.value, "at"), texts_at(row.value, "by"),
-                        texts_at(row.value, "rooms"), row.value.at("is").text()});
+                        texts_at(row.value, "rooms"), texts_at(row.value, "had_by"), row.value.at("is").text()});
     return senses;
   }();
   return kSenses;
@@ -55,7 +56,7 @@ class WordSenseReader {
   void run() {
     for (Chunk& chunk : document_.chunks) {
       if (chunk.kind != ChunkKind::kNoun || !is_plain(chunk.noun) || refers_back(chunk)) continue;
-      if (const WordSense* sense = sense_of(chunk.noun)) mean(chunk, *sense);
+      if (const WordSense* sense = sense_of(chunk)) mean(chunk, *sense);
     }
   }
 
@@ -106,7 +107,18 @@ class WordSenseReader {
     return false;
   }
 
-  const WordSense* sense_of(const NounPhrase& noun) const {
+  // What has the chunk: "a low table with cushions"; empty: nothing.
+  std::string_view owner_of(const Chunk& chunk) const {
+    const Chunk *const first = document_.chunks.data(), *at = &chunk;
+    if (at == first || (--at)->kind != ChunkKind::kHave) return {};
+    // "a low table at the center with cushions"
+    while (at != first && ((--at)->kind == ChunkKind::kRelation || (at->kind == ChunkKind::kNoun && at->noun.kind != NounKind::kObject))) {
+    }
+    return at->kind != ChunkKind::kNoun || at->noun.entry == nullptr ? std::string_view{} : at->noun.entry->id;
+  }
+
+  const WordSense* sense_of(const Chunk& chunk) const {
+    const NounPhrase& noun = chunk.noun;
     const std::size_t head = head_of(noun);
     const std::string word = singular_of(tokens_[head].text);
     for (const WordSense& sense : word_senses()) {
@@ -114,7 +126,7 @@ class WordSenseReader {
       if (!sense.rooms.empty() && !has(sense.rooms, room_)) continue;
       // "a bar of soap" is soap
       const bool portion = head + 1 < noun.last && noun.entry != nullptr && noun.exact && noun.entry->name != word;
-      if (!portion && is_beside(sense, head)) return &sense;
+      if (!portion && (is_beside(sense, head) || has(sense.had_by, owner_of(chunk)))) return &sense;
     }
     return nullptr;
   }

@@ -20,8 +20,8 @@ class BanReader : public BanPlaces {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       if (skip_[i]) continue;
       kept_ = 0;
-      if (read_back_to(i) || pass_none(i) || read_nothing(i) || read_kept(i) || read_staying(i) || read_side(i) || read_room_round(i) ||
-          read_accessible(i) || read_room_for(i) || read_plain_room_round(i))
+      if (read_back_to(i) || pass_none(i) || read_nothing(i) || read_nothing_by(i) || read_kept(i) || read_staying(i) || read_side(i) ||
+          read_room_round(i) || read_accessible(i) || read_room_for(i) || read_plain_room_round(i))
         continue;
     }
     return std::move(bans_);
@@ -85,6 +85,30 @@ class BanReader : public BanPlaces {
     const std::optional<PlaceSaid> place = at > from ? place_at(at) : std::nullopt;
     if (!place || !is_over(place->last)) return false;
     take(place->ban, i, place->last);
+    return true;
+  }
+
+  // "with nothing in front of it", "nothing on the desk": that side stays free; nothing is left to say of what is on, over or under it.
+  bool read_nothing_by(std::size_t i) {
+    if (!is(i, {"nothing"})) return false;
+    std::size_t at = past(i + 1, WordSet::kStanding);
+    Ban ban;
+    ban.kind = Ban::Kind::kFreeSide;
+    ban.depth = kUsualSide;
+    if (is(at, {"in"}) && is(at + 1, {"front"}) && is(at + 2, {"of"})) {
+      ban.sides = {Side::kFront};
+      at += 3;
+    } else if (is(at, {"behind"})) {
+      ban.sides = {Side::kBack};
+      ++at;
+    } else if (is(at, {"on", "above", "over", "under", "below", "beneath", "underneath"}) && is(at + 1, {"it", "them"})) {
+      ++at;
+    } else {
+      return false;
+    }
+    if (!read_object(at, ban) || !is_over(at)) return false;
+    const std::size_t first = i > 0 && is(i - 1, {"with", "and"}) ? i - 1 : i;
+    ban.sides.empty() ? leave_out(first, at) : take(std::move(ban), first, at);
     return true;
   }
 

@@ -194,6 +194,7 @@ class Decoder {
   bool is_one_of_several(int u) const;
   bool nothing_nearer(const State& state, std::size_t level) const;
   Referent side_ahead(int u, const PhraseSenses& senses) const;
+  bool begins_with_side(int u) const;
   Referent sides_ahead(int u, const PhraseSenses& senses) const;
   Referent side_host(const State& state, int u, const PhraseSenses& senses) const;
   std::optional<double> room_side_score(const State& state, int u) const;
@@ -228,6 +229,7 @@ class Decoder {
   double standing_score(const State& state, Referent referent, Referent subject, const PhraseSenses& senses) const;
   bool is_of_one_group(const State& state, Referent group, Referent subject, const NounPhrase* noun) const;
   int things_of(const State& state, Referent referent, bool list) const;
+  bool is_list_beside_pair(const State& state, Referent list, int subject) const;
   bool consider(std::vector<Candidate>& all, const State& state, Referent referent, double order, Referent subject,
                 const PhraseSenses* senses, const NounPhrase* noun, bool list) const;
 

@@ -80,7 +80,9 @@ std::optional<double> Decoder::room_side_score(const State& state, int u) const 
     const bool half = std::ranges::any_of(other, [&](const PhraseSense& s) { return s.region == across; });
     if (half && of_room) return weight::kSameSide;
   }
-  return weight::kSideOfRoom;
+  // "On the left are two tables. A fridge is near the door, on the right.": the other side of the room
+  if (before_.side == (left ? RoomRegion::kRight : RoomRegion::kLeft)) return weight::kSameSide;
+  return begins_with_side(u) ? weight::kSideFirst : weight::kSideOfRoom;
 }
 
 // "one to the left and one to the right of the mirror": what the other side's reference, which comes later, is.

@@ -119,6 +119,7 @@ bool Decoder::consider(std::vector<Candidate>& all, const State& state, Referent
   const bool heap = noun != nullptr && noun->plural && meant.collective;  // "a stack of plates, a jug beside them"
   if (noun != nullptr)
     score += number_score(*noun, list || heap || several(state, referent)) + rank_score(*noun, things_of(state, referent, list));
+  if (between && list && subject >= 0 && is_list_beside_pair(state, referent, subject)) score += weight::kUnlikely;
   // "a bed and two nightstands, a lamp on each": of the nightstands
   const bool each = list && noun != nullptr && noun->determiner == Determiner::kEach && several_last_of(state, referent);
   if (each) score += weight::kNotBeside;
@@ -160,7 +161,10 @@ std::vector<Decoder::Candidate> Decoder::antecedents(const State& state, Referen
   const int before_it = subject >= 0 ? read_as(state, subject).former : kNobody;
   const bool its = noun != nullptr && (noun->head == "it" || (noun->of && noun->of->kind == NounKind::kPronoun));
   const bool carries = before_it >= 0 && read_as(state, before_it).placed && !is_seat(lexicon_.catalog(), chunk(before_it).noun);
-  if ((unsaid || its) && upon && carries) trial(before_it, -weight::kNamedOnceMore, false);
+  // "lockers with a bench in front and cubbies underneath": under the bench
+  const bool beneath = unsaid && senses != nullptr && says(*senses, RelationType::kUnder) && before_it >= 0 &&
+                       read_as(state, before_it).placed && several(state, host_of(state, subject));
+  if (beneath || ((unsaid || its) && upon && carries)) trial(before_it, -weight::kNamedOnceMore, false);
   double order = clause_antecedents(state, noun, trial);
   // What earlier sentences named is meant where this one has nothing of its own to mean; "a key and a radio, all on it": neither is.
   const std::vector<int> list = subject >= 0 ? list_of(state, subject, -1) : std::vector<int>{};

@@ -73,4 +73,25 @@ bool Decoder::lists_on_it(int u) const {
          one_of(document_.tokens[chunk(u + 1).last - 1].text, {"it", "top"});
 }
 
+// "A sofa with a TV opposite, a rug and a table between them": between those two, the rug as well.
+bool Decoder::is_list_beside_pair(const State& state, Referent list, int subject) const {
+  if (list < 0 || unit(subject).joiner != Joiner::kAnd || read_as(state, subject).former != list || read_as(state, list).placed)
+    return false;
+  for (int p = 0; p < list; ++p) {
+    if (!is(p, UnitKind::kPlace)) continue;
+    const UnitReading& place = read_as(state, p);
+    const PhraseSenses& senses = place.alone ? alone_senses(p) : unit(p).direct;
+    if (says(senses, RelationType::kOpposite) || says(senses, RelationType::kFacing)) return true;
+  }
+  return false;
+}
+
+// "On the left side two small tables.": what stands by itself, and goes with nothing.
+bool Decoder::begins_with_side(int u) const {
+  if (u > 0 || !follows(u, UnitKind::kNoun) || document_.tokens[chunk(u).last - 1].text != "side" || word(u) == "to") return false;
+  const NounPhrase& noun = chunk(u + 1).noun;
+  return noun.kind == NounKind::kObject && mount_of(noun) == Mount::kFloor && noun.entry != nullptr && noun.entry->beside.empty() &&
+         !noun.entry->thin && !is_seat(lexicon_.catalog(), noun);
+}
+
 }  // namespace layoutbox::offline

@@ -54,15 +54,16 @@ struct SentenceReading {
 
 // What earlier sentences leave behind; mentions of the document.
 struct TextSoFar {
-  int opening = -1;         // the door or window that the sentence before spoke of, and of no thing
-  int topic = -1;           // what the sentence before spoke of
-  int fronted = -1;         // … what it placed things by, these named later
-  std::vector<int> roots;   // … the things that it spoke of
-  int first = 0;            // … its first mention
-  std::vector<int> listed;  // the last things that a sentence listed
-  int again = -1;           // … which of these it placed a thing by afterwards
-  int sided = -1;           // … what something stands left or right of
-  bool left = false;        // … left
+  int opening = -1;                       // the door or window that the sentence before spoke of, and of no thing
+  int topic = -1;                         // what the sentence before spoke of
+  int fronted = -1;                       // … what it placed things by, these named later
+  std::vector<int> roots;                 // … the things that it spoke of
+  int first = 0;                          // … its first mention
+  std::vector<int> listed;                // the last things that a sentence listed
+  int again = -1;                         // … which of these it placed a thing by afterwards
+  int sided = -1;                         // … what something stands left or right of
+  bool left = false;                      // … left
+  RoomRegion side = RoomRegion::kMiddle;  // … the side of the room that it placed something at; the middle: none
 };
 
 }  // namespace layoutbox::offline

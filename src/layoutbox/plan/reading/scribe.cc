@@ -74,6 +74,12 @@ void Scribe::end_sentence() {
   if (!roots.empty()) so_far_.opening = -1;
   so_far_.fronted = fronted;
   so_far_.sided = -1;
+  so_far_.side = RoomRegion::kMiddle;
+  for (std::size_t l = sentence_links_; l < document_.links.size(); ++l) {
+    for (const PhraseSense& sense : document_.links[l].senses) {
+      if (sense.region == RoomRegion::kLeft || sense.region == RoomRegion::kRight) so_far_.side = *sense.region;
+    }
+  }
   for (std::size_t l = sentence_links_; l < document_.links.size(); ++l) {
     const Link& link = document_.links[l];
     so_far_.left = says(link.senses, RelationType::kLeftOf);

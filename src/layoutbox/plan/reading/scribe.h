@@ -89,6 +89,7 @@ class Scribe {
   void grow_for_every(int index, int mention);
   void grow_for_reference(int index, int mention, bool both);
   void fill_reference(int u, int mention);
+  bool is_put_by_fellow(int u) const;
   void fill_content(int u, int mention);
   void fill_root(int u, int mention);
   void grow_fronted(int p, int mention);

@@ -161,6 +161,17 @@ void Scribe::follow_screen(Link& link, int u) const {
   }
 }
 
+// "lockers with a bench in front and cubbies underneath": by the bench, which they have as well; not one for each of them.
+bool Scribe::is_put_by_fellow(int u) const {
+  for (std::size_t p = static_cast<std::size_t>(u) + 1; p < sentence_->size(); ++p) {
+    const int place = static_cast<int>(p);
+    if (!is(place, UnitKind::kPlace) || !reading(place).alone || reading(place).subject != u) continue;
+    const Referent by = reading(place).implied;
+    return by >= 0 && by < u && reading(by).role == NounRole::kContent && reading(by).predicate == reading(u).predicate;
+  }
+  return false;
+}
+
 void Scribe::fill_content(int u, int mention) {
   int index = link_[static_cast<std::size_t>(reading(u).predicate)];
   if (!is_thing(mention) || index < 0) return;
@@ -176,7 +187,7 @@ void Scribe::fill_content(int u, int mention) {
   link.last = chunk(u).last;
   // "Flank the bed with two lamps": the bed was named as the reference.
   const std::vector<int> hosts = link.references;
-  if (link.kind == Link::Kind::kHave) grow_for_hosts(mention, hosts);
+  if (link.kind == Link::Kind::kHave && !is_put_by_fellow(u)) grow_for_hosts(mention, hosts);
   // "On every table a candle with a mill beside it": one for each of the candles that one word brought in.
   const bool held = link.kind == Link::Kind::kHave || says(link.senses, &RelationTraits::rests);  // "a nightstand carrying a lamp"
   if (held && hosts.size() == 1 && mention_at(mention).introduces && !noun_of(hosts.front()).is_plural() &&

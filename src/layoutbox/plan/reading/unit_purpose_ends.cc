@@ -72,8 +72,9 @@ bool UnitReader::closes_purpose(std::size_t k) const {
   const bool ends = n >= document_.chunks.size() || is(n, ChunkKind::kComma) || is(n, ChunkKind::kStop) || is(n, ChunkKind::kAnd);
   const PhraseSenses* senses = chunk(k).phrase.senses;
   const bool part = senses != nullptr && std::ranges::any_of(*senses, [](const PhraseSense& s) {
-                      const bool there =
-                          s.type == RelationType::kInRegion || s.type == RelationType::kCenterOfRoom || traits_of(s.type).sideways;
+                      const bool there = s.type == RelationType::kInRegion || s.type == RelationType::kCenterOfRoom ||
+                                         traits_of(s.type).sideways ||
+                                         s.type == RelationType::kOpposite;  // "two chairs for visitors opposite"
                       return s.direction == PhraseSense::Direction::kAlone && there;
                     });
   if (!ends || !(part || named)) return false;

@@ -101,7 +101,9 @@ class BanBuilder : public RelationWriter {
     std::optional<std::size_t> meant;
     for (std::size_t i = 0; i < document_.items.size(); ++i) {
       const NounPhrase& thing = noun(i);
-      const bool named = tokens[thing.first].begin <= ban.first && !thing.is_plural() && thing.count < 2 && stands(i);  // "it"
+      // "it": also a dart board, before which nothing is to stand
+      const bool before = ban.sides.size() == 1 && ban.sides.front() == Side::kFront && mount_of(thing) == Mount::kWall;
+      const bool named = tokens[thing.first].begin <= ban.first && !thing.is_plural() && thing.count < 2 && (before || stands(i));
       if (ban.of.empty() ? !named : thing.head != ban.of) continue;
       meant = i;
     }

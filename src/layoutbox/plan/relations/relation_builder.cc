@@ -203,6 +203,8 @@ bool RelationBuilder::add_at_walls(const Link& link, const std::vector<int>& tar
 void RelationBuilder::take_height_or_note(const Link& link, const Mention& target, const NounPhrase& reference) {
   if (reference.kind == NounKind::kFloor && link.distance) {
     for (const int item : target.items) heights_.emplace_back(id(item), mm_from_m(*link.distance));
+  } else if (reference.kind == NounKind::kCorner &&
+             one_of(document_.tokens[link.first].text, {"with", "has"})) {  // "a reading corner with a rug": a zone
   } else if (reference.kind != NounKind::kRoom && reference.kind != NounKind::kAbstract && reference.kind != NounKind::kCeiling) {
     note_no_place(link, target);
   }
@@ -230,6 +232,7 @@ void RelationBuilder::add_relations_to(const Link& link, const std::vector<int>&
       continue;
     }
     auto sense = choose_sense(catalog_, link.senses, Direction::kDirect, target.noun, reference);
+    if (sense && sense->type == R::kOn && is_told_to_hang(link)) sense->type = R::kAbove;
     if (sense && place == nullptr) name_shelf(*sense, reference, noun_of_item(reference_items.front()));
     if (reference.kind == NounKind::kFloor && !link.distance && says(link.senses, R::kOn)) on_floor_.insert(m);
     if (!sense) {

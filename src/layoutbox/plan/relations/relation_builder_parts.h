@@ -74,6 +74,7 @@ class RelationBuilder : private RelationWriter {
   std::vector<std::string> shared_places(const PhraseSense& sense, const Mention& target, const NounPhrase& place) const;
   bool add_at_walls(const Link& link, const std::vector<int>& targets);
   void name_shelf(PhraseSense& sense, const NounPhrase& said, const NounPhrase& host) const;
+  bool is_told_to_hang(const Link& link) const;
   void note_no_place(const Link& link, const Mention& target);
   std::string place_of(const Link& link) const;
   // "facing each other": every one of the targets and its neighbour.

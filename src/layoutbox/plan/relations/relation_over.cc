@@ -3,6 +3,7 @@
 
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/relations/relation_builder_parts.h"
+#include "layoutbox/plan/words/word_sets.h"
 
 namespace layoutbox::offline {
 
@@ -128,6 +129,15 @@ void RelationBuilder::line_up(const std::string& first, const std::string& next)
   const auto at_wall = [&](std::size_t i) { return traits_of(scene_.relations[i].type).back_to_wall; };
   if (std::ranges::any_of(relations_of(first), at_wall) || std::ranges::any_of(relations_of(next), at_wall)) return;
   add_habit(R::kEdgeAlign, {next}, {first}, kTogether, "parallel ones stand side by side").parameters.edge = Edge::kCenter;
+}
+
+// "pans hanging over the hob": whatever else lies over such a thing.
+bool RelationBuilder::is_told_to_hang(const Link& link) const {
+  if (!says(link.senses, R::kAbove)) return false;
+  for (std::size_t i = link.first > 0 ? link.first - 1 : 0; i < link.last; ++i) {
+    if (one_of(document_.tokens[i].text, {"hanging", "hang", "hangs", "hung", "suspended"})) return true;
+  }
+  return false;
 }
 
 }  // namespace layoutbox::offline

@@ -5,6 +5,7 @@
 
 #include "layoutbox/plan/phrases/splice.h"
 #include "layoutbox/plan/room/bare_sides.h"
+#include "layoutbox/plan/room/joined_sides.h"
 #include "layoutbox/plan/room/room_reader.h"
 #include "layoutbox/plan/room/size_owner.h"
 
@@ -107,30 +108,9 @@ class SizeReader {
     size_.width += width;
   }
 
-  // "Room is 4 meter and 3 meter.": both with their unit and no word for which is which; "10 on 8 meters".
-  SidesRead read_two_joined(std::size_t at) const {
-    auto one = read_measure(lexicon_, tokens_, at);
-    const auto shared = !one && at + 2 < tokens_.size() && tokens_[at].kind == Token::Kind::kNumber &&
-                                (tokens_[at + 1].text == "on" || tokens_[at + 1].text == "times")
-                            ? read_measure(lexicon_, tokens_, at + 2)
-                            : std::nullopt;
-    if (shared && tokens_[at + 2].number > 0) one = Measure{tokens_[at].number * shared->metres / tokens_[at + 2].number, 1};
-    const std::size_t joiner = one ? at + one->length : tokens_.size();
-    if (joiner >= tokens_.size() || !(tokens_[joiner].text == "and" || tokens_[joiner].text == "times" || tokens_[joiner].text == "on"))
-      return {};
-    const auto two = read_measure(lexicon_, tokens_, joiner + 1);
-    const std::size_t last = two ? joiner + 1 + two->length : 0;
-    if (!two || (last < tokens_.size() && lexicon_.find(tokens_, last, WordClass::kDimension).length > 0)) return {};
-    SidesRead read;
-    read.sides = read.numbers = {one->metres, two->metres};
-    read.length = last - at;
-    read.united = true;
-    return read;
-  }
-
   std::size_t read_product(std::size_t at) {
     SidesRead read = read_sides(lexicon_, tokens_, at);
-    if (read.sides.empty()) read = read_two_joined(at);
+    if (read.sides.empty()) read = read_two_joined(lexicon_, tokens_, owner_, at);
     const std::vector<double>& values = read.sides;
     const std::size_t length = read.length;
     if (!values.empty() && owner_.says_free_floor(at)) {
@@ -171,6 +151,11 @@ class SizeReader {
   }
 
   std::size_t read_area(std::size_t at) {
+    if (const AreaRead mats = read_mats(lexicon_, tokens_, owner_, at); mats.length > 0) {
+      size_.area = mats.area;
+      take(at, at + mats.length, "area of the room");
+      return mats.length;
+    }
     if (tokens_[at].kind != Token::Kind::kNumber || at + 1 >= tokens_.size()) return 0;
     Match unit = lexicon_.find(tokens_, at + 1, WordClass::kAreaUnit);
     double scale = 1;
