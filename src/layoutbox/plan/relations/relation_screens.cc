@@ -29,7 +29,7 @@ void RelationBuilder::seat_viewers() {
   }
 }
 
-// "a sofa looking at the TV": from as far off as one watches it (SMPTE EG 18: 30 degrees of a 1.2 m screen are 2.2 m).
+// "a sofa looking at the TV": from as far off as one watches it, some one and a half to three widths of a usual screen (1.23 m).
 void RelationBuilder::watch_from_afar() {
   constexpr Mm kNearest = 1700, kFarthest = 4200;
   const std::size_t said = scene_.relations.size();
