@@ -42,8 +42,9 @@ class RoomPeople {
     const bool rows = host >= 0 && mention(host).noun.rows > 0 && mention(host).noun.vague;
     if (host >= 0 && persons == 1 && mention(host).noun.plural && (mention(host).noun.count == 0 || rows)) {
       const auto [seats, told_each] = seats_of_each(host);
-      const int at_each = std::max(
-          {mention(host).noun.seats, builder_.seats_said(mention(host)), told_each, 1});  // "tables in groups of four", "double desks"
+      // "tables in groups of four", "double desks", "long shared tables"
+      const int at_each =
+          std::max({mention(host).noun.seats, builder_.seats_said(mention(host)), told_each, is_shared(host, *main) ? kAtShared : 1});
       const std::vector<int> before = mention(host).items;
       builder_.grow(host, (people + at_each - 1) / at_each);
       if (told_each > 1) builder_.grow(seats, static_cast<int>(mention(host).items.size()) * told_each);
@@ -83,6 +84,14 @@ class RoomPeople {
     const int seats = grow_seats(needs, people) ? named(*needs[1].first) : builder_.add(*needs[1].first, people, room);
     builder_.seat_at_table(seats, tables, false);
     return true;
+  }
+
+  // "long communal tables": several work at each.
+  static constexpr int kAtShared = 8;
+  bool is_shared(int host, const CatalogEntry& needed) const {
+    const NounPhrase& noun = document_.mentions[static_cast<std::size_t>(host)].noun;
+    return noun.head == "table" && noun.entry != nullptr && is_plain_table(*noun.entry, needed) &&
+           std::ranges::any_of(noun.attributes, [](const std::string& a) { return a == "shared" || a == "communal"; });
   }
 
   // A table of no kind, where such tables are needed.

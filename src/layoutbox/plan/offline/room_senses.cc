@@ -230,6 +230,21 @@ bool carries_things(const CatalogEntry& entry) {
   return entry.top_carries || std::ranges::any_of(entry.spaces, [](const SpaceFormula& space) { return space.carries; });
 }
 
+// "desks in groups of four, my desk by the board": whoever teaches there has one of another kind.
+void name_own_desk(const Lexicon& lexicon, Document& document, const RoomKind& room) {
+  const Lexicon::Set* needs = lexicon.needs_in(room.id);
+  const CatalogEntry* own = lexicon.catalog().find("teacher_desk");
+  if (needs == nullptr || needs->front().first->id != "school_desk" || own == nullptr) return;
+  for (Chunk& chunk : document.chunks) {
+    NounPhrase& noun = chunk.noun;
+    if (chunk.kind != ChunkKind::kNoun || noun.name != "desk" || noun.plural || noun.determiner != Determiner::kPossessive) continue;
+    if (!one_of(document.tokens[noun.first].text, {"my", "our", "her", "his"})) continue;
+    noun.entry = own;
+    noun.category = own->id;
+    noun.name = own->name;
+  }
+}
+
 // "a long wooden bench" of a gym: a plain one, not the kind that nobody rests on.
 bool is_to_sit_on(const Lexicon& lexicon, const NounPhrase& noun, const CatalogEntry& meant) {
   const bool other_use =
@@ -256,6 +271,7 @@ void settle_room_senses(const Lexicon& lexicon, Document& document) {
     if (name.starts_with(article)) name.erase(0, article.size());
   }
   name_listed_words(lexicon, document, *room->room, name);
+  name_own_desk(lexicon, document, *room->room);
   for (std::size_t k = 0; k < document.chunks.size(); ++k) {
     const Chunk& chunk = document.chunks[k];
     NounPhrase& noun = document.chunks[k].noun;

@@ -31,6 +31,7 @@
 #include "layoutbox/plan/passes/shelf_subjects.h"
 #include "layoutbox/plan/passes/side_shares.h"
 #include "layoutbox/plan/passes/side_subjects.h"
+#include "layoutbox/plan/passes/terse_lists.h"
 #include "layoutbox/plan/passes/their_own.h"
 #include "layoutbox/plan/passes/uses.h"
 #include "layoutbox/plan/passes/wall_lists.h"
@@ -66,6 +67,8 @@ constexpr WordPass kWordPasses[] = {
     {"bare corners", complete_bare_corners, "A bedroom. Desk back right.", "A bedroom. A desk in the back right corner."},
     {"bare starts", complete_bare_starts, "A shop. Behind counter shelves, above sink mirror.",
      "A shop. Behind the counter some shelves, above the sink a mirror."},
+    {"terse lists", read_terse_lists, "A clinic. Table center, a plant, desk should face the door.",
+     "A clinic. A table in the center, a plant. The desk faces the door."},
     {"seats said", read_seats_said, "A dining room with a table that seats six.", "A dining room with a table for six."},
     {"labels", read_labels, "A bedroom with a bed for under 200 dollars.", "A bedroom with a bed."},
     {"corrected counts", read_corrected_counts, "A bedroom with one nightstand, make that two.", "A bedroom with two nightstands."},

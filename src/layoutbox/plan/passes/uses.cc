@@ -89,6 +89,8 @@ class UseReader : public TokenReader {
     constexpr std::size_t kMost = 4;  // tokens
     if (is(at, {"all", "about", "around", "roughly", "some", "nearly", "over"}) && is_article(at + 1)) ++at;
     for (std::size_t taken = 0; taken < kMost && is_article(at); ++taken) ++at;
+    // "four pairs of boots"
+    if (is(at, {"pairs", "lots", "stacks", "piles", "heaps", "sets", "pair", "pile", "stack"}) && is(at + 1, {"of"})) at += 2;
     return at;
   }
 

@@ -333,7 +333,12 @@ void Decoder::alone_of_room(std::size_t s, int u, std::size_t level, double gain
   // "a counter with an espresso machine and a pastry display at the back": the counter
   if (says(senses, RelationType::kInRegion) && unit(u).joiner == Joiner::kNone && is_thing(state, host) &&
       mount_of(noun_of(state, host)) == Mount::kFloor && read_as(state, member).former >= 0)
-    gain += weight::kSmallByPlace;
+    gain += (mount_of(noun_of(state, member)) == Mount::kSurface ? 2 : 1) * weight::kSmallByPlace;
+  // "a counter with a machine and a cake stand at the back": what lies on things is at no end of the room by itself
+  const bool lies_nowhere = says(senses, RelationType::kInRegion) && unit(u).joiner == Joiner::kNone && !is_thing(state, host) &&
+                            state.fronted.empty() && read_as(state, member).former >= 0 && word(u) != "on" &&
+                            mount_of(noun_of(state, member)) == Mount::kSurface;
+  if (lies_nowhere) gain += weight::kSmallByPlace;
   const bool several_here = several(state, member);
   alone_of_list(s, u, level, {kNobody, gain + fits + (!many ? 0 : several_here ? 1.0 : -1.0), false});
 }

@@ -37,6 +37,20 @@ std::size_t read_contraction(std::string_view prompt, std::size_t at, std::vecto
   return 0;
 }
 
+// "doesnt", "thats": what is written without its apostrophe, as the two words it is short for; empty: nothing of the kind.
+std::pair<std::string_view, std::string_view> unmarked_contraction(std::string_view word) {
+  static constexpr std::array<std::array<std::string_view, 3>, 20> kShort = {
+      {{"dont", "do", "not"},       {"doesnt", "does", "not"},   {"didnt", "did", "not"},       {"isnt", "is", "not"},
+       {"arent", "are", "not"},     {"wasnt", "was", "not"},     {"cant", "can", "not"},        {"wont", "will", "not"},
+       {"wouldnt", "would", "not"}, {"couldnt", "could", "not"}, {"shouldnt", "should", "not"}, {"mustnt", "must", "not"},
+       {"havent", "have", "not"},   {"hasnt", "has", "not"},     {"thats", "that", "is"},       {"whats", "what", "is"},
+       {"theres", "there", "is"},   {"theyre", "they", "are"},   {"youre", "you", "are"},       {"ive", "i", "have"}}};
+  for (const auto& [text, first, second] : kShort) {
+    if (text == word) return {first, second};
+  }
+  return {};
+}
+
 class Tokenizer {
  public:
   explicit Tokenizer(std::string_view prompt) : prompt_(prompt) {
@@ -94,6 +108,7 @@ class Tokenizer {
     } else if (is_letter(first.value)) {
       take_word(token);
       if (ends_dimensions(token)) return;
+      part_unmarked(token);
     } else if (const std::size_t taken = read_contraction(prompt_, at_, tokens_); taken > 0) {
       at_ += taken;
       return;
@@ -145,6 +160,20 @@ class Tokenizer {
     }
     token.text = american_spelling(std::move(token.text));
     if (token.text == "round" && !tokens_.empty() && tokens_.back().text == "all") token.text = "around";  // "chairs all round"
+  }
+
+  // The first of the two words that "doesnt" is short for becomes a token of its own.
+  void part_unmarked(Token& token) {
+    const auto [first, second] = unmarked_contraction(token.text);
+    if (first.empty()) return;
+    Token before = token;
+    const std::size_t cut = at_ - (second == "is" ? 1 : 2);
+    before.text = first;
+    before.end = cut;
+    tokens_.push_back(std::move(before));
+    token.text = second;
+    token.begin = cut;
+    token.capital = false;
   }
 
   // "a 3D printer", "a 2D map": one word, no count.

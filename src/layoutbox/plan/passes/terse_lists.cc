@@ -1,0 +1,130 @@
+#include "layoutbox/plan/passes/terse_lists.h"
+
+#include <algorithm>
+
+#include "layoutbox/base/words.h"
+#include "layoutbox/plan/phrases/splice.h"
+#include "layoutbox/plan/phrases/token_reader.h"
+
+namespace layoutbox::offline {
+namespace {
+
+class TerseLists : public TokenReader {
+ public:
+  TerseLists(const Lexicon& lexicon, Document& document, std::vector<bool>& skip)
+      : TokenReader(lexicon, document.tokens, skip), document_(document) {}
+
+  void run() {
+    for (std::size_t i = 0; i < tokens_.size() && !is_set(document_.stop); ++i) {
+      if (skip_[i]) continue;
+      read_people(i);
+      part_subject(i);
+      part_from_host(i);
+      complete_center(i);
+    }
+    splice(document_, skip_, std::move(words_));
+  }
+
+ private:
+  bool breaks(std::size_t at) const { return ends(at) || (at > 0 && tokens_[at - 1].ends_sentence); }
+  bool opens(std::size_t at) const { return at == 0 || tokens_[at - 1].kind == Token::Kind::kPunctuation; }
+  void end_sentence(std::size_t comma) {
+    tokens_[comma].text = ";";
+    tokens_[comma].ends_sentence = true;
+  }
+
+  // "24 kids.", "there are seven of us", "16 seats total": nothing that is put into the room.
+  void read_people(std::size_t i) {
+    const std::size_t said = is(i, {"there", "we"}) && is(i + 1, {"are", "is", "will"}) ? (is(i + 2, {"be"}) ? i + 3 : i + 2) : i;
+    const NumberRead number = read_number(lexicon_, tokens_, said);
+    const std::size_t noun = said + number.length;
+    constexpr double kFewest = 2, kMost = 400;
+    if (number.length == 0 || !opens(i) || number.value < kFewest || number.value > kMost || noun >= tokens_.size()) return;
+    const bool us = is(noun, {"of"}) && is(noun + 1, {"us", "them", "you"});
+    const bool seats = is(noun, {"seats", "places", "people"}) &&
+                       (is(noun + 1, {"total", "altogether", "overall"}) || (is(noun + 1, {"in"}) && is(noun + 2, {"total", "all"})));
+    const std::string person = singular_of(tokens_[noun].text);
+    const bool persons = person != tokens_[noun].text && lexicon_.is_person(person) && breaks(noun + 1) && said == i;
+    if (!us && !seats && !persons) return;
+    if (seats) leave_out(i, noun + (is(noun + 1, {"in"}) ? 3 : 2));
+    if (persons && !says_for_whom()) return;
+    if (document_.people == 0 && !(us && said == i)) document_.people = static_cast<int>(number.value);
+    if (persons) leave_out(i, noun + 1);
+  }
+
+  // Where a class, a team or guests are spoken of, people on their own are those.
+  bool says_for_whom() const {
+    return std::ranges::any_of(tokens_, [](const Token& t) {
+      return one_of(t.text, {"classroom", "class", "teach", "school", "daycare", "kindergarten", "office", "lab", "laboratory", "seminar"});
+    });
+  }
+
+  // "a plant, desk should face the door", "a bed, wardrobe is on the left": only the last thing of the list is told of.
+  void part_subject(std::size_t comma) {
+    if (!is(comma, {","}) || tokens_[comma].ends_sentence || comma == 0) return;
+    const auto thing = thing_named_at(comma + 1);
+    if (!thing || breaks(thing->last) || !is(thing->last, {"should", "must", "shall", "needs", "need", "has", "can", "could", "may"}))
+      return;
+    const bool does = is(thing->last, {"needs", "need", "has"}) ? is(thing->last + 1, {"to"}) : !breaks(thing->last + 1);
+    const bool determined = thing->noun > thing->first && is(thing->first, {"which", "that", "all", "both", "each"});
+    if (does && !determined && is_bare_item_before(comma)) end_sentence(comma);
+  }
+
+  // A thing of a list is what stands before the comma, so that what follows is no second subject of its verb.
+  bool is_bare_item_before(std::size_t comma) const {
+    std::size_t first = comma;
+    while (first > 0 && !opens(first)) --first;
+    const auto thing = thing_named_at(first);
+    return thing && thing->last == comma;
+  }
+
+  // "bed, rug, desk with a swivel chair, a beanbag.": what the list ends with is no more the desk's than what it begins with.
+  void part_from_host(std::size_t comma) {
+    if (!is(comma, {","}) || tokens_[comma].ends_sentence) return;
+    const auto item = thing_named_at(comma + 1);
+    if (!item || !(breaks(item->last) || tokens_[item->last].ends_sentence)) return;
+    if (item->last < tokens_.size() && is(item->last, {","})) return;
+    std::size_t with = comma;
+    while (with > 0 && !opens(with) && !is(with, {"with"})) --with;
+    if (!is(with, {"with"}) || tokens_[with].ends_sentence) return;
+    const auto content = thing_named_at(with + 1);
+    if (!content || content->last != comma) return;
+    if (is_listed_before(with)) end_sentence(comma);
+  }
+
+  // Two things or more, with nothing but commas between them, before the one that has something "with" it.
+  bool is_listed_before(std::size_t with) const {
+    constexpr int kFewest = 2;
+    int items = 0;
+    for (std::size_t i = with; i-- > 0 && !tokens_[i].ends_sentence;) {
+      if (is(i, {"is", "are", "has", "have", "stands", "and"})) return false;
+      if (!is(i, {","}) || !is_bare_or_placed_item(i)) continue;
+      ++items;
+    }
+    return items >= kFewest;
+  }
+
+  bool is_bare_or_placed_item(std::size_t comma) const {
+    std::size_t first = comma;
+    while (first > 0 && !opens(first)) --first;
+    return thing_named_at(first).has_value();
+  }
+
+  // "steel table center, cart": in the center.
+  void complete_center(std::size_t i) {
+    if (!is(i, {"center", "middle"}) || i == 0 || tokens_[i - 1].ends_sentence || tokens_[i].ends_sentence) return;
+    if (!ends(i + 1) && !is(i + 1, {"of"})) return;
+    const Match before = lexicon_.find(tokens_, i - 1, WordClass::kObject);
+    if (before.length != 1 || lexicon_.find(tokens_, i - 1).length > 1) return;
+    for (const std::string_view word : {"in", "the"}) words_.push_back({i, word_token(word)});
+  }
+
+  Document& document_;
+  std::vector<Splice> words_;
+};
+
+}  // namespace
+
+void read_terse_lists(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) { TerseLists(lexicon, document, skip).run(); }
+
+}  // namespace layoutbox::offline
