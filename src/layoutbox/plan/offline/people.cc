@@ -52,6 +52,7 @@ class RoomPeople {
       constexpr int kMostInRow = 12;
       if (rows && people > kMostInRow * mention(host).noun.rows) mention(host).noun.rows = 0;  // as many rows as there is room for
       if (one_of(mention(host).noun.head, WordSet::kPlainSeats)) become(host, *main);
+      if (is_shared(host, *main)) mention(host).noun.seats = at_each;
       if (at_each > 1) return;
       if (is_plain_table(*mention(host).noun.entry, *main)) become(host, *main);  // "a classroom for 24 with tables"
     } else if (host >= 0 && (persons > 0 || !seats_follow)) {

@@ -21,6 +21,7 @@ class TerseLists : public TokenReader {
       part_subject(i);
       part_from_host(i);
       complete_center(i);
+      complete_half(i);
     }
     splice(document_, skip_, std::move(words_));
   }
@@ -119,8 +120,19 @@ class TerseLists : public TokenReader {
     for (const std::string_view word : {"in", "the"}) words_.push_back({i, word_token(word)});
   }
 
+  // "cots on one half; on the other a mat": the half that is left.
+  void complete_half(std::size_t i) {
+    const auto halves = [&](std::size_t at) { return is(at, {"half", "side", "end"}) && !is(at + 1, {"of"}); };
+    if (is(i, {"one"}) && halves(i + 1) && i > 0 && (is(i - 1, {"on", "in", "at"}) || is(i - 1, {"the"}))) one_half_ = true;
+    if (!is(i, {"on", "in", "at"}) || !is(i + 1, {"the"}) || !is(i + 2, {"other"}) || !opens(i) || !is_article(i + 3) || !one_half_) return;
+    tokens_[i].text = "in";
+    tokens_[i + 2].text = "right";
+    words_.push_back({i + 3, word_token("half")});
+  }
+
   Document& document_;
   std::vector<Splice> words_;
+  bool one_half_ = false;  // something is on one half or side
 };
 
 }  // namespace

@@ -32,7 +32,8 @@ class TableSeats {
     for (std::size_t m = 0; m < document_.mentions.size(); ++m) look_for_desk(static_cast<int>(m));
     for (std::size_t m = 0; m < said; ++m) share_seats(static_cast<int>(m));
     for (std::size_t m = 0; m < said; ++m) share_companions(static_cast<int>(m));
-    for (const Link& link : document_.links) share_stands(link);
+    for (const Link& link : document_.links) share_stands(link), spread(link);
+    for (std::size_t m = 0; m < said; ++m) spread_cloths(static_cast<int>(m));
     for (std::size_t m = 0; m < said; ++m) gather_loose(static_cast<int>(m));
   }
 
@@ -45,6 +46,9 @@ class TableSeats {
   static bool names_things(const Mention& mention) { return mention.introduces && mention.noun.kind == NounKind::kObject; }
   bool names_seat(const Mention& mention) const { return names_things(mention) && is_seat(catalog_, mention.noun); }
   static bool is_stool(const NounPhrase& noun) { return one_of(noun.head, WordSet::kStools); }
+
+  // What a small child sits on comes besides the seats that are told.
+  static bool is_high_chair(const NounPhrase& noun) { return noun.name == "high chair"; }
 
   bool is_upright(const NounPhrase& noun) const {
     const bool easy = noun.entry != nullptr && noun.entry->is(Trait::kEasySeat);  // "a lounge chair"
@@ -63,7 +67,7 @@ class TableSeats {
   // A seat that may be any table's: none is named that it stands at.
   void look_for_loose(int seat) {
     const NounPhrase& noun = mention(seat).noun;
-    if (!names_seat(mention(seat)) || !is_upright(noun) || one_of(noun.name, {"piano bench", "piano stool", "high chair"})) return;
+    if (!names_seat(mention(seat)) || !is_upright(noun) || one_of(noun.name, {"piano bench", "piano stool"}) || is_high_chair(noun)) return;
     if (one_of(noun.head, WordSet::kStools) && counter_named_) return;  // "an island and four stools, a table for six"
     const auto at_a_table = [&](const Mention& other) { return !other.items.empty() && is_table(catalog_, other.noun); };
     if (is_told_elsewhere(seat) || links_.is_placed_by(seat, at_a_table)) return;
@@ -83,8 +87,8 @@ class TableSeats {
     const bool bench =
         std::ranges::any_of(placed, [&](int seat) { return names_seat(mention(seat)) && mention(seat).noun.head == "bench"; });
     for (const int seat : placed) {
-      if (!names_seat(mention(seat))) continue;
       const NounPhrase& noun = mention(seat).noun;
+      if (!names_seat(mention(seat)) || is_high_chair(noun)) continue;
       named = true;
       if (noun.count == 0 && noun.plural && is_upright(noun)) builder_.grow(seat, bench && noun.head != "bench" ? all - all / 2 : all);
     }
@@ -252,6 +256,34 @@ class TableSeats {
     const bool small = noun.entry->mount == Mount::kFloor && !is_table(catalog_, noun) && !noun.entry->is(Trait::kShelving) &&
                        std::min(size.width, size.depth) <= measures().stand_for_one + 100 && std::max(size.width, size.depth) <= 1000;
     if (small && things > static_cast<int>(stand.items.size())) builder_.grow(link.references[0], things);
+  }
+
+  bool is_uncounted(const Mention& things) const {
+    return names_things(things) && things.noun.entry != nullptr && things.noun.plural && things.noun.count == 0 &&
+           things.noun.determiner == Determiner::kNone && !things.noun.vague && !things.items.empty();
+  }
+
+  // "three tables with six chairs each, green lamps on the tables": one on each.
+  void spread(const Link& link) {
+    constexpr std::size_t kMost = 24;
+    const auto on = [](const PhraseSense& sense) { return sense.type == RelationType::kOn; };
+    if (link.kind != Link::Kind::kRelation || link.targets.size() != 1 || link.references.size() != 1) return;
+    const Mention& things = mention(link.targets[0]);
+    const std::size_t hosts = mention(link.references[0]).items.size();
+    if (std::ranges::none_of(link.senses, on) || !is_uncounted(things) || things.noun.entry->mount != Mount::kSurface) return;
+    if (hosts > things.items.size() && hosts <= kMost) builder_.grow(link.targets[0], static_cast<int>(hosts));
+  }
+
+  // "ten tables, red checked cloths": one on each.
+  void spread_cloths(int m) {
+    if (!is_uncounted(mention(m)) || !catalog_.is_a(mention(m).noun.entry->id, "tablecloth") || !links_.hosts_of(m).empty()) return;
+    std::size_t tables = 0;
+    for (const Mention& other : document_.mentions) {
+      const bool such = names_things(other) && other.noun.entry != nullptr && is_table(catalog_, other.noun) &&
+                        !other.noun.entry->is(Trait::kCounter) && !other.noun.entry->is(Trait::kDesk);
+      if (such) tables += other.items.size();
+    }
+    if (tables > mention(m).items.size()) builder_.grow(m, static_cast<int>(tables));
   }
 
   // "a row of tables under framed pictures": one over each.

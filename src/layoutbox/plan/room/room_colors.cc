@@ -125,6 +125,7 @@ class RoomColors {
     }
     for (const Chunk& chunk : document_.chunks) {
       if (chunk.kind != ChunkKind::kNoun) continue;
+      read_before_room(chunk);
       read_after_room(chunk);
       read_finish_after(chunk);
       read_tiles(chunk);
@@ -159,6 +160,18 @@ class RoomColors {
     const std::size_t end = first + scheme.length;
     if (!scheme.walls.empty() && says_several(scheme) && (ends(document_.tokens, end) || document_.tokens[end - 1].text == ","))
       take(scheme, first, end);
+  }
+
+  // "A bright yellow kitchen": what has that color of a room are its walls.
+  void read_before_room(const Chunk& chunk) {
+    const NounPhrase& noun = chunk.noun;
+    if (noun.kind != NounKind::kRoom || noun.room == nullptr || !room_.wall_material.empty()) return;
+    const auto is_color = [&](std::size_t a) { return noun.attribute_classes[a] == WordClass::kColor; };
+    std::size_t colors = 0, first = 0;
+    for (std::size_t a = 0; a < noun.attribute_classes.size() && a < noun.attributes.size(); ++a) {
+      if (is_color(a) && colors++ == 0) first = a;
+    }
+    if (colors == 1) room_.wall_material = noun.attributes[first];
   }
 
   // "A den in teal and white with …"
