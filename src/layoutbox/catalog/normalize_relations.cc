@@ -64,6 +64,7 @@ class SupportChooser {
   // The paper's `inside` an object says what a thing stands on; else the habit of its kind; else whatever carries things.
   const SceneObject* choose() const {
     if (const SceneObject* around = inside_of()) return around;
+    if (const SceneObject* there = in_same_region()) return there;
     // A single globe stands on none of twenty pupils' desks, where there is something else for it.
     const SceneObject* apart = alike(object_) == 1 ? choose_of([&](const SceneObject& o) { return alike(o) < kCrowd; }) : nullptr;
     return apart != nullptr ? apart : choose_of([](const SceneObject&) { return true; });
@@ -73,6 +74,15 @@ class SupportChooser {
   static constexpr int kCrowd = 4;
 
   int alike(const SceneObject& object) const { return alike_.at(object.category); }
+
+  // "a counter and a coffee machine at the back": on what the text puts in the same part of the room.
+  const SceneObject* in_same_region() const {
+    const std::optional<RoomRegion> own = region_of(object_);
+    if (!own || entry(object_).hang_height > 0) return nullptr;
+    return freest([&](const SceneObject& o) {
+      return entry(o).top_carries && o.mount == Mount::kFloor && !entry(o).is(Trait::kSeat) && region_of(o) == own;
+    });
+  }
 
   template <class Predicate>
   const SceneObject* choose_of(Predicate allowed) const {

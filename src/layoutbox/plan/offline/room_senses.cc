@@ -304,6 +304,7 @@ void settle_room_senses(const Lexicon& lexicon, Document& document) {
     if (has_things && noun.entry != nullptr && noun.entry->top_carries && !carries_things(*entry)) continue;
     if (entry->is(Trait::kLieOn) && is_said_small(noun)) continue;
     if (is_to_sit_on(lexicon, noun, *entry)) continue;
+    if (noun.seats > 1 && noun.head == "desk") continue;  // of a class, put together to a table
     noun.kind = NounKind::kObject;
     noun.entry = entry;
     noun.category = entry->id;

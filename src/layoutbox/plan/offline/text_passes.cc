@@ -36,6 +36,7 @@
 #include "layoutbox/plan/passes/uses.h"
 #include "layoutbox/plan/passes/wall_lists.h"
 #include "layoutbox/plan/passes/wordings.h"
+#include "layoutbox/plan/passes/written_links.h"
 #include "layoutbox/plan/room/coordinates.h"
 #include "layoutbox/plan/room/looks_behind.h"
 #include "layoutbox/plan/room/room_reader.h"
@@ -67,6 +68,8 @@ constexpr WordPass kWordPasses[] = {
     {"bare corners", complete_bare_corners, "A bedroom. Desk back right.", "A bedroom. A desk in the back right corner."},
     {"bare starts", complete_bare_starts, "A shop. Behind counter shelves, above sink mirror.",
      "A shop. Behind the counter some shelves, above the sink a mirror."},
+    {"written links", read_written_links, "A study. A desk and a chest stand side by side; the former has a lamp on it.",
+     "A study. A desk and a chest stand side by side. The desk has a lamp on it."},
     {"terse lists", read_terse_lists, "A clinic. Table center, a plant, desk should face the door.",
      "A clinic. A table in the center, a plant. The desk faces the door."},
     {"seats said", read_seats_said, "A dining room with a table that seats six.", "A dining room with a table for six."},
