@@ -174,7 +174,9 @@ class Companions {
 
   void add_by(const Companion& companion) {
     const CatalogEntry* kind = catalog_.find(companion.adds);
-    if (kind == nullptr || !in_rooms(companion.rooms) || spoken_.of(*kind) || scene_.has_kind(companion.adds)) return;
+    // counters are no sink, though sinks are a kind of counter
+    const bool spoken = kind != nullptr && (kind->top_carries ? spoken_.of(*kind) : spoken_.of_just(*kind));
+    if (kind == nullptr || !in_rooms(companion.rooms) || spoken || scene_.has_kind(companion.adds)) return;
     if (spoken_.keeps_off(companion.adds, "", scene_.graph().room.type)) return;
     const auto named = std::span(scene_.graph().objects).first(named_);
     const auto is_named = [&](const std::string& other) {

@@ -22,7 +22,9 @@ class TerseLists : public TokenReader {
       part_from_host(i);
       complete_center(i);
       complete_half(i);
+      round_off(i);
     }
+    std::ranges::stable_sort(words_, {}, &Splice::at);
     splice(document_, skip_, std::move(words_));
   }
 
@@ -128,6 +130,20 @@ class TerseLists : public TokenReader {
     tokens_[i].text = "in";
     tokens_[i + 2].text = "right";
     words_.push_back({i + 3, word_token("half")});
+  }
+
+  // "a coffee table with no sharp corners": a round one.
+  void round_off(std::size_t with) {
+    const bool with_no = is(with, {"with"}) && is(with + 1, {"no"});
+    if (with == 0 || (!with_no && !is(with, {"without"}))) return;
+    const std::size_t sharp = with + (with_no ? 2 : 1);
+    if (!is(sharp, {"sharp", "pointy", "hard"}) || !is(sharp + 1, {"corners", "edges", "corner", "edge"})) return;
+    const Match thing = lexicon_.find(tokens_, with - 1, WordClass::kObject);
+    if (thing.length == 0) return;
+    std::size_t first = with - 1;
+    while (first > 0 && first - 1 + lexicon_.find(tokens_, first - 1, WordClass::kObject).length == with) --first;
+    words_.push_back({first, word_token("round")});
+    leave_out(with, sharp + 2);
   }
 
   Document& document_;

@@ -198,6 +198,30 @@ void RelationBuilder::part_halves() {
   }
 }
 
+// "a bookcase that separates the bed from the desk": with one end at a wall it does, with its back there it parts nothing.
+void RelationBuilder::stand_out_from_walls() {
+  std::vector<std::string> dividers;
+  for (const Relation& between : scene_.relations) {
+    if (between.type != R::kBetween || between.targets.size() != 1 || between.references.size() != 2) continue;
+    const auto divider = objects_.find(between.targets[0]);
+    if (divider == objects_.end() || !may_divide(static_cast<int>(divider->second))) continue;
+    const bool said = between.origin == Origin::kConcluded || words_.have(between, WordSet::kDividing);
+    const bool parts = said && std::ranges::all_of(between.references, [&](const std::string& one) {
+                         const SceneObject* object = object_of(one);
+                         return object != nullptr && is_heavy(catalog_, noun_of_object(*object));
+                       });
+    if (parts && noun_of_object(scene_.objects[divider->second]).entry->mount == Mount::kFloor) dividers.push_back(between.targets[0]);
+  }
+  for (const std::string& divider : dividers) {
+    const bool placed = std::ranges::any_of(relations_of(divider), [&](std::size_t r) {
+      const Relation& relation = scene_.relations[r];
+      return relation.type == R::kAgainstWall || relation.type == R::kInRegion || relation.type == R::kCorner;
+    });
+    if (!placed)
+      add_habit(R::kSideAgainstWall, {divider}, {}, kTogether, "what parts a room stands out from a wall").parameters.side = Side::kShort;
+  }
+}
+
 void RelationBuilder::divide_groups() {
   std::size_t sentence = document_.tokens.size();
   for (std::size_t i = 0; i < document_.tokens.size(); ++i) {

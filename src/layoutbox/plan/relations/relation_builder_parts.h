@@ -198,6 +198,7 @@ class RelationBuilder : private RelationWriter {
   void divide(std::size_t word);
   void part_groups();
   void part_halves();
+  void stand_out_from_walls();
   void share_like_sides();
   void divide_groups();
   // A kitchen told by its units (kitchens.cc)
