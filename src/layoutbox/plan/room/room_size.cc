@@ -111,6 +111,7 @@ class SizeReader {
   std::size_t read_product(std::size_t at) {
     SidesRead read = read_sides(lexicon_, tokens_, at);
     if (read.sides.empty()) read = read_two_joined(lexicon_, tokens_, owner_, at);
+    if (read.sides.empty()) read = read_square(at);
     const std::vector<double>& values = read.sides;
     const std::size_t length = read.length;
     if (!values.empty() && owner_.says_free_floor(at)) {
@@ -119,7 +120,7 @@ class SizeReader {
       take(at, at + length, "size of a free floor");
       return length;
     }
-    if (values.empty() || !owner_.speaks_of_room(at, at + length, values)) return 0;
+    if (values.empty() || (!owner_.speaks_of_room(at, at + length, values) && !opens_sentence(at, length, values))) return 0;
     const auto impossible = [](double side) { return side == 0 || side > kLongestSide; };
     size_.impossible = size_.impossible || std::any_of(values.begin(), values.end(), impossible);
     if (values[0] < 0.8 || values[1] < 0.8) return 0;
@@ -130,6 +131,27 @@ class SizeReader {
     take(at, at + length, "size of the room");
     end_phrase(at, at + length);
     return length + (values.size() == 2 ? read_height_after(at + length) : 0);
+  }
+
+  // "15 feet square": both sides of a floor. Not "15 feet square table".
+  SidesRead read_square(std::size_t at) const {
+    const auto side = read_measure(lexicon_, tokens_, at);
+    const std::size_t last = side ? at + side->length : at;
+    if (!side || last >= tokens_.size() || tokens_[last].text != "square" || tokens_[last - 1].ends_sentence) return {};
+    if (last + 1 < tokens_.size() && tokens_[last + 1].kind == Token::Kind::kWord && lexicon_.find_phrase(tokens_, last + 1).length == 0 &&
+        !lexicon_.is(tokens_[last + 1], WordClass::kHave) && !lexicon_.is(tokens_[last + 1], WordClass::kAnd))
+      return {};
+    SidesRead read;
+    read.sides = {side->metres, side->metres};
+    read.length = side->length + 1;
+    return read;
+  }
+
+  // "…, me on the other. 15 feet square, a fireplace": a floor by itself is the room's.
+  bool opens_sentence(std::size_t at, std::size_t length, const std::vector<double>& sides) const {
+    constexpr double kLeast = 2.4;
+    const bool large = sides.size() >= 2 && sides[0] >= kLeast && sides[1] >= kLeast;
+    return large && size_.width == 0 && at > 0 && tokens_[at - 1].ends_sentence && owner_.stands_alone(at, at + length);
   }
 
   // "6 x 6 m and 3.5 m high": the room's as well.
