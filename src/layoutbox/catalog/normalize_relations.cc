@@ -87,6 +87,7 @@ class SupportChooser {
   template <class Predicate>
   const SceneObject* choose_of(Predicate allowed) const {
     for (const std::string& id : entry(object_).stands_on) {
+      if (id == kForClothes && watched_from_sofa()) continue;
       const auto is_such = [&](const SceneObject& o) { return allowed(o) && context_.catalog.is_a(entry(o).id, id); };
       // A kettle rather stands on a cabinet than in the sink, which is a counter as well.
       if (const SceneObject* found = freest([&](const SceneObject& o) { return is_such(o) && entry(o).top_carries; })) return found;
@@ -100,6 +101,14 @@ class SupportChooser {
     // Where one sits nothing stands as long as there is another top.
     if (const SceneObject* found = freest([&](const SceneObject& o) { return carries(o) && !entry(o).is(Trait::kSeat); })) return found;
     return freest(carries);
+  }
+
+  // A television that a sofa is for is not put on the chest of drawers by the bed: it hangs before the sofa.
+  static constexpr std::string_view kForClothes = "dresser";
+  bool watched_from_sofa() const {
+    return entry(object_).hang_height > 0 && std::ranges::any_of(scene_.objects, [&](const SceneObject& o) {
+             return o.mount == Mount::kFloor && context_.catalog.is_a(o.category, "sofa");
+           });
   }
 
   const CatalogEntry& entry(const SceneObject& object) const { return context_.catalog.entry_or_nearest(object.category); }

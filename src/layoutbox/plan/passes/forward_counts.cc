@@ -157,12 +157,16 @@ void settle_named_again(Document& document) {
 void settle_forward_names(Document& document) {
   constexpr std::size_t kAhead = 60;  // chunks that are looked at
   std::vector<Chunk>& chunks = document.chunks;
-  const auto is_called = [&](std::size_t c, const NounPhrase& noun) { return is_thing(chunks[c]) && chunks[c].noun.head == noun.head; };
+  // "the dining table … a dining table", "the bed … a double bed"
+  const auto is_called = [&](std::size_t c, const NounPhrase& noun) {
+    const NounPhrase& other = chunks[c].noun;
+    return is_thing(chunks[c]) && other.head == noun.head && (noun.name == noun.head || noun.name == other.name);
+  };
   for (std::size_t k = 1; k < chunks.size() && !is_set(document.stop); ++k) {
     NounPhrase& known = chunks[k].noun;
     // "the way between bed and door. A double bed …", where articles are left out
     const bool spoken_of = known.determiner == Determiner::kDefinite || known.determiner == Determiner::kNone;
-    const bool plain = is_thing(chunks[k]) && spoken_of && known.name == known.head && !known.is_plural() && known.attributes.empty() &&
+    const bool plain = is_thing(chunks[k]) && spoken_of && known.exact && !known.is_plural() && known.attributes.empty() &&
                        known.count == 0 && known.ordinal == 0 && !known.of;
     if (!plain || chunks[k - 1].kind != ChunkKind::kRelation) continue;
     std::size_t before = 0;
@@ -180,6 +184,8 @@ void settle_forward_names(Document& document) {
     known.name = named.name;
     known.attributes = named.attributes;
     known.attribute_classes = named.attribute_classes;
+    known.seats = named.seats;
+    if (!known.size.any()) known.size = named.size;
     named.determiner = Determiner::kDefinite;
   }
 }

@@ -20,6 +20,7 @@ class TerseLists : public TokenReader {
       read_people(i);
       part_subject(i);
       part_from_host(i);
+      part_from_pose(i);
       complete_center(i);
       complete_half(i);
       round_off(i);
@@ -93,6 +94,17 @@ class TerseLists : public TokenReader {
     const auto content = thing_named_at(with + 1);
     if (!content || content->last != comma) return;
     if (is_listed_before(with)) end_sentence(comma);
+  }
+
+  // "sofa with its back to the table, sideboard, …": what follows in the list is not behind the sofa as well.
+  void part_from_pose(std::size_t comma) {
+    constexpr std::size_t kLongest = 14;  // tokens
+    if (!is(comma, {","}) || tokens_[comma].ends_sentence || !thing_named_at(comma + 1)) return;
+    for (std::size_t with = comma; with-- > 0 && comma - with <= kLongest && !ends(with);) {
+      const bool pose = is(with, {"with"}) && is(with + 1, {"its", "their"}) && is(with + 2, {"back", "backs", "front", "fronts"}) &&
+                        is(with + 3, {"to", "towards", "toward", "against"});
+      if (pose) return end_sentence(comma);
+    }
   }
 
   // Two things or more, with nothing but commas between them, before the one that has something "with" it.

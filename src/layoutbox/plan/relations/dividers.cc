@@ -217,8 +217,9 @@ void RelationBuilder::stand_out_from_walls() {
       const Relation& relation = scene_.relations[r];
       return relation.type == R::kAgainstWall || relation.type == R::kInRegion || relation.type == R::kCorner;
     });
-    if (!placed)
-      add_habit(R::kSideAgainstWall, {divider}, {}, kTogether, "what parts a room stands out from a wall").parameters.side = Side::kShort;
+    if (placed) continue;
+    conclude(R::kSideAgainstWall, {divider}, {}, "what parts a room stands out from a wall");
+    scene_.relations.back().parameters.side = Side::kShort;
   }
 }
 

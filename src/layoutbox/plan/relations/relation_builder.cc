@@ -213,10 +213,25 @@ void RelationBuilder::take_height_or_note(const Link& link, const Mention& targe
 // "a desk and bookshelf in the corner": in the same one, if that can be.
 void RelationBuilder::share_corner(const Link& link, const Mention& target) {
   const Mention& first = mention(link.targets.front());
-  if (target.items.size() != 1 || first.items.size() != 1) return;
+  if (first.items.size() != 1) return;
   Link together = link;
   together.soft = together.concluded = true;
   add(together, R::kNear, {id(target.items.front())}, {id(first.items.front())});
+}
+
+// "a corner with a small table and two chairs": they are that table's.
+bool RelationBuilder::sit_in_corner(const Link& link, const Mention& target) {
+  const Mention& first = mention(link.targets.front());
+  const bool seats = is_seat(catalog_, target.noun) && target.noun.entry != nullptr && target.noun.entry->is(Trait::kTableSeat);
+  const bool table = first.items.size() == 1 && is_table(catalog_, first.noun) && first.noun.entry != nullptr &&
+                     !first.noun.entry->is(Trait::kOccasional) && !first.noun.entry->is(Trait::kDeskLike);
+  if (!seats || !table) return false;
+  Link together = link;
+  together.concluded = true;
+  std::vector<std::string> all;
+  for (const int item : target.items) all.push_back(id(item));
+  add(together, R::kAround, all, {id(first.items.front())});
+  return true;
 }
 
 void RelationBuilder::add_relations_to(const Link& link, const std::vector<int>& targets, const Mention& reference_mention) {
@@ -239,6 +254,7 @@ void RelationBuilder::add_relations_to(const Link& link, const std::vector<int>&
       take_height_or_note(link, target, reference);
       continue;
     }
+    if (sense->type == R::kCorner && m != link.targets.front() && !reference.is_plural() && sit_in_corner(link, target)) continue;
     if (sense->type == R::kInRegion && reference.kind == NounKind::kPart && !sense->region) {
       add_in_leg(link, target, reference);
       continue;

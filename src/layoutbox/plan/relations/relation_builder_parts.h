@@ -54,6 +54,7 @@ class RelationBuilder : private RelationWriter {
   void add_relations(const Link& link);
   void take_height_or_note(const Link& link, const Mention& target, const NounPhrase& reference);
   void share_corner(const Link& link, const Mention& target);
+  bool sit_in_corner(const Link& link, const Mention& target);
   void add_relations_to(const Link& link, const std::vector<int>& targets, const Mention& reference_mention);
   void add_rows();
   void add_stacks();
@@ -262,6 +263,7 @@ class RelationBuilder : private RelationWriter {
   void touch_back_to_back();
   void lie_along_walls();
   void wait_at_walls();
+  void sit_together();
   void stand_at_both_sides();
   bool is_eaten_at(const NounPhrase& noun) const;
   void seat_those_who_wait();

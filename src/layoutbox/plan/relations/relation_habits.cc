@@ -297,6 +297,7 @@ void RelationBuilder::add_habits() {
   watch_from_afar();
   stand_under_wall_cabinets();
   stand_out_from_walls();
+  sit_together();
   sit_at_windows();
   work_at_windows();
   park_cars();

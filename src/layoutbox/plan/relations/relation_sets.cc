@@ -196,6 +196,22 @@ void RelationBuilder::wait_at_walls() {
   }
 }
 
+// "two bean bags", "a place for friends to sit": who sits on such seats sits together, where nothing says otherwise.
+void RelationBuilder::sit_together() {
+  constexpr std::size_t kMost = 4;
+  for (const Mention& mention : document_.mentions) {
+    const CatalogEntry* entry = mention.noun.entry;
+    if (!mention.introduces || entry == nullptr || mention.items.size() < 2 || mention.items.size() > kMost) continue;
+    if (!catalog_.is_a(entry->id, "bean_bag") && !catalog_.is_a(entry->id, "floor_cushion") && !catalog_.is_a(entry->id, "recliner"))
+      continue;
+    const bool told = std::ranges::any_of(mention.items, [&](int item) { return !relations_of(id(item)).empty(); });
+    if (told) continue;
+    const std::string first = id(mention.items.front());
+    for (std::size_t k = 1; k < mention.items.size(); ++k)
+      add_habit(R::kNextTo, {id(mention.items[k])}, {first}, kTogether, "seats of one kind stand together");
+  }
+}
+
 // A printer does not stand where several sit round a table, unless such a table is what it mostly stands on.
 bool RelationBuilder::is_sat_round(const std::string& table, const NounPhrase& thing) const {
   const SceneObject* object = object_of(table);

@@ -155,6 +155,7 @@ bool Habits::look_at(ItemId item, bool leads, const std::vector<ItemId>& crowd) 
     habit("faces", item, elsewhere || leaves_screen_to_others(item, seen_one) ? kFaces / 3 : kFaces, std::move(f),
           after ? std::vector<ItemId>{other} : std::vector<ItemId>{});
     if (model_.items[seen_one].is(Trait::kScreen)) stay_before_screen(item, other);
+    if (model_.items[seen_one].is(Trait::kScreen) && self.is(Trait::kEasySeat)) watch_from_near(item, other);
     if (self.is(Trait::kCenterPiece) && !self.is(Trait::kBed)) {
       if (model_.items[seen_one].is(Trait::kScreen)) watch_from_near(item, other), have_screen_before(item, other);
       if (!model_.items[other].is(Trait::kCoffeeTable)) watch_past_tables(item, other);

@@ -115,14 +115,15 @@ bool Habits::comes_after_screen(ItemId item, ItemId screen) const {
 
 // Who looks along the wall that a screen hangs on sees its edge: machines and chairs; to sofas and beds the screen turns itself.
 void Habits::stay_before_screen(ItemId item, ItemId screen) {
-  constexpr Mm kOff = 300;
+  constexpr Mm kOff = 300, kEasyOff = 1300;
   constexpr int kSeesEdge = 300;  // points a metre
+  const Mm off = model_.items[item].is(Trait::kEasySeat) ? kEasyOff : kOff;
   if (!model_.items[screen].has_front || model_.items[item].is(Trait::kCenterPiece)) return;
   Formula f;
   for_each_turn(model_.items[screen], [&](int turn, std::uint64_t states) {
     if (turn % 90 != 0) return;
     const Direction front = side_direction(model_.items[screen], Side::kFront, turn);
-    f.add().when(screen, states).require(gap_towards(item, screen, front) - Linear(kOff));
+    f.add().when(screen, states).require(gap_towards(item, screen, front) - Linear(off));
   });
   if (!f.cases.empty()) habit("before the screen", item, kSeesEdge, std::move(f));
 }
