@@ -87,8 +87,10 @@ class SupportChooser {
   template <class Predicate>
   const SceneObject* choose_of(Predicate allowed) const {
     for (const std::string& id : entry(object_).stands_on) {
-      if (id == kForClothes && watched_from_sofa()) continue;
-      const auto is_such = [&](const SceneObject& o) { return allowed(o) && context_.catalog.is_a(entry(o).id, id); };
+      const auto is_such = [&](const SceneObject& o) {
+        return allowed(o) && context_.catalog.is_a(entry(o).id, id) &&
+               !(context_.catalog.is_a(entry(o).id, kForClothes) && watched_from_sofa());
+      };
       // A kettle rather stands on a cabinet than in the sink, which is a counter as well.
       if (const SceneObject* found = freest([&](const SceneObject& o) { return is_such(o) && entry(o).top_carries; })) return found;
       if (entry(object_).hang_height > 0) continue;  // a television is in no wardrobe

@@ -133,7 +133,9 @@ class TableSeats {
   void seat_table(int m) {
     if (!names_things(mention(m)) || mention(m).noun.entry == nullptr || !is_table(catalog_, mention(m).noun)) return;
     const Mention table = mention(m);
-    const int seats = builder_.seats_said(table);
+    int seats = builder_.seats_said(table);
+    // "with its back to the dining table, … a dining table for six": told of it later
+    for (const int same : links_.of_same(table)) seats = std::max(seats, std::min(mention(same).noun.seats, kMostPeople));
     if (seats == 0) {
       line_counter(table);
       return;
