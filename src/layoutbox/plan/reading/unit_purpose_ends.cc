@@ -37,16 +37,16 @@ bool UnitReader::place_after_purpose(std::size_t k) const {
 bool UnitReader::follows_whom(std::size_t k) const {
   const std::size_t p = previous(k), n = next(k), host = last_noun();
   // "an armchair for me beside the bookcase"
-  const bool for_word =
-      is(p, ChunkKind::kPurpose) && document_.tokens[chunk(p).first].text == "for" && chunk(k).first > chunk(p).last && chunk(k).first > 0;
-  // … "a sideboard for coffee opposite the screen": which is a color as well
-  const bool for_us = for_word && (one_of(document_.tokens[chunk(k).first - 1].text, {"me", "us", "myself", "ourselves"}) ||
-                                   lexicon_.is(document_.tokens[chunk(k).first - 1], WordClass::kColor));
+  const bool for_us = is(p, ChunkKind::kPurpose) && document_.tokens[chunk(p).first].text == "for" && chunk(k).first > chunk(p).last &&
+                      one_of(document_.tokens[chunk(k).first - 1].text, {"me", "us", "myself", "ourselves"});
+  // "a sideboard for coffee opposite the screen": which is a color as well
+  const bool for_coffee = chunk(k).first > 1 && document_.tokens[chunk(k).first - 2].text == "for" &&
+                          lexicon_.is(document_.tokens[chunk(k).first - 1], WordClass::kColor);
   // "chairs for the visitors along the wall": who might do something there
   const bool for_doer = is(p, ChunkKind::kPurpose) && chunk(p).last == chunk(p).first + 1 &&
                         lexicon_.is(document_.tokens[chunk(p).first], WordClass::kDoer) && is(previous(p), ChunkKind::kPurpose) &&
                         document_.tokens[chunk(previous(p)).last - 1].text == "for";
-  if ((for_us || for_doer) && is(n, ChunkKind::kNoun)) return is_part_of_room(chunk(n).noun) || names_thing(n);
+  if ((for_us || for_coffee || for_doer) && is(n, ChunkKind::kNoun)) return is_part_of_room(chunk(n).noun) || names_thing(n);
   if (!is(p, ChunkKind::kNoun) || !is(previous(p), ChunkKind::kPurpose) || !is(n, ChunkKind::kNoun)) return false;
   const std::string& word = document_.tokens[chunk(previous(p)).last - 1].text;
   const NounPhrase &whom = chunk(p).noun, &by = chunk(n).noun;

@@ -75,6 +75,7 @@ void RelationBuilder::run() {
   leave_window_to_sink();
   stand_across_openings();
   divide_groups();
+  stand_out_from_walls();
   make_islands();
 }
 

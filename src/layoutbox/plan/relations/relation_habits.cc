@@ -296,7 +296,7 @@ void RelationBuilder::add_habits() {
   stand_rows_in_halves();
   watch_from_afar();
   stand_under_wall_cabinets();
-  stand_out_from_walls();
+
   sit_together();
   sit_at_windows();
   work_at_windows();

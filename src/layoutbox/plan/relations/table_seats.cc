@@ -135,7 +135,8 @@ class TableSeats {
     const Mention table = mention(m);
     int seats = builder_.seats_said(table);
     // "with its back to the dining table, … a dining table for six": told of it later
-    for (const int same : links_.of_same(table)) seats = std::max(seats, std::min(mention(same).noun.seats, kMostPeople));
+    const std::vector<int> told = seats == 0 && table.items.size() == 1 ? links_.of_same(table) : std::vector<int>{};
+    for (const int same : told) seats = std::max(seats, std::min(mention(same).noun.seats, kMostPeople));
     if (seats == 0) {
       line_counter(table);
       return;
