@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "layoutbox/catalog/normalize_steps.h"
 #include "layoutbox/catalog/opening_look.h"
@@ -37,7 +38,7 @@ class OpeningNormalizer {
       take_whole_wall(opening);
       settle_place(opening);
       if (opening.asked()) continue;
-      const Mm wanted = width_of_what_is_under(opening);
+      const Mm wanted = std::max(width_of_what_is_under(opening), opening.type == OpeningType::kWindow ? daylight_width() : 0);
       raise_sill(opening);
       fit_assumed(opening, wanted > opening.width ? kShareOfWideWindow : kShareOfWindow,
                   std::max(opening.width, std::min(wanted, kWidestWindow)));
@@ -193,6 +194,20 @@ class OpeningNormalizer {
     });
   }
 
+  // How wide a window of ours is that gives such a room its light: 8 % of the floor (International Residential Code, R303.1). Kitchens need
+  // their walls for units, and where pictures are thrown on a screen it is dark.
+  Mm daylight_width() const {
+    constexpr double kShareOfFloor = 0.08, kHeight = 1200;
+    constexpr Mm kWidest = 3600, kStep = 100;
+    const bool without = std::ranges::any_of(context_.scene.objects, [&](const SceneObject& object) {
+      return context_.catalog.entry_or_nearest(object.category).is(Trait::kKitchenRun) ||
+             context_.catalog.is_a(object.category, "projector_screen");
+    });
+    if (without) return 0;
+    const double width = kShareOfFloor * 0.5 * static_cast<double>(std::abs(doubled_area(room_.polygon))) / kHeight;
+    return std::min(kWidest, (static_cast<Mm>(width) + kStep - 1) / kStep * kStep);
+  }
+
   Mm longest_wall() const {
     Mm longest = 0;
     for (const Wall& wall : room_.walls) longest = std::max(longest, static_cast<Mm>(length_of(wall)));
@@ -227,7 +242,7 @@ class OpeningNormalizer {
     window.swing = Swing::kNone;
     window.origin = Origin::kAssumed;
     window.wall = wall_of_what_is_under(window);
-    const Mm wanted = std::min(width_of_what_is_under(window), kWidestWindow);
+    const Mm wanted = std::min(std::max(width_of_what_is_under(window), daylight_width()), kWidestWindow);
     raise_sill(window);
     fit_assumed(window, wanted > window.width ? kShareOfWideWindow : kShareOfWindow, std::max(window.width, wanted));
     if (window.height >= 300 && window.width >= 300) room_.openings.push_back(window);

@@ -217,7 +217,7 @@ TEST(NormalizeRoom, AWindowIsAsWideAsWhatStandsUnderIt) {
       relations.push_back(relation(RelationType::kUnderWindow, {objects.back().id}, {"window1"}));
     }
     SceneGraph scene = scene_of(objects, relations);
-    scene.room.polygon = {{0, 0}, {5000, 0}, {5000, 4000}, {0, 4000}};
+    scene.room.polygon = {{0, 0}, {5000, 0}, {5000, 3500}, {0, 3500}};
     Opening window;
     window.id = "window1", window.type = OpeningType::kWindow, window.width = 1200, window.height = 1200, window.sill = 900;
     window.origin = origin;
@@ -228,6 +228,19 @@ TEST(NormalizeRoom, AWindowIsAsWideAsWhatStandsUnderIt) {
   EXPECT_GE(width(2, Origin::kAssumed), 2400);
   EXPECT_LE(width(9, Origin::kAssumed), 3750) << "the wall is the limit";
   EXPECT_EQ(width(2, Origin::kAsked), 1200) << "a size that was said stays";
+}
+
+TEST(NormalizeRoom, AnAssumedWindowLightsALargeRoom) {
+  const auto width = [](Mm depth) {
+    SceneGraph scene = scene_of({object("desk_1", "desk")}, {});
+    scene.room.polygon = {{0, 0}, {8000, 0}, {8000, depth}, {0, depth}};
+    const SceneGraph settled = normalized(scene);
+    const auto window = std::ranges::find(settled.room.openings, OpeningType::kWindow, &Opening::type);
+    return window == settled.room.openings.end() ? Mm{0} : window->width;
+  };
+  EXPECT_EQ(width(2000), 1200);
+  EXPECT_GE(width(4000) * 1.2, 0.08 * 8000 * 4) << "8 % of the floor";
+  EXPECT_GT(width(6000), width(4000));
 }
 
 TEST(NormalizeRoom, AnAssumedWindowBeginsAboveWhatIsToldToStandUnderIt) {
@@ -252,7 +265,7 @@ TEST(NormalizeRoom, TheWindowOfARoomWithoutOneIsAsWideAsTheTablesAlongItAndTheir
   }
   const auto width = [&] {
     SceneGraph scene = scene_of(objects, relations);
-    scene.room.polygon = {{0, 0}, {6000, 0}, {6000, 5000}, {0, 5000}};
+    scene.room.polygon = {{0, 0}, {6000, 0}, {6000, 3000}, {0, 3000}};
     const SceneGraph settled = normalized(scene);
     const auto window = std::ranges::find(settled.room.openings, OpeningType::kWindow, &Opening::type);
     return window == settled.room.openings.end() ? Mm{0} : window->width;
