@@ -198,14 +198,14 @@ class OpeningNormalizer {
   // their walls for units, and where pictures are thrown on a screen it is dark.
   Mm daylight_width() const {
     constexpr double kShareOfFloor = 0.08, kHeight = 1200;
-    constexpr Mm kWidest = 3600, kStep = 100;
+    constexpr Mm kWidest = 3600, kGlassStep = 100;
     const bool without = std::ranges::any_of(context_.scene.objects, [&](const SceneObject& object) {
       return context_.catalog.entry_or_nearest(object.category).is(Trait::kKitchenRun) ||
              context_.catalog.is_a(object.category, "projector_screen");
     });
     if (without) return 0;
     const double width = kShareOfFloor * 0.5 * static_cast<double>(std::abs(doubled_area(room_.polygon))) / kHeight;
-    return std::min(kWidest, (static_cast<Mm>(width) + kStep - 1) / kStep * kStep);
+    return std::min(kWidest, (static_cast<Mm>(width) + kGlassStep - 1) / kGlassStep * kGlassStep);
   }
 
   Mm longest_wall() const {
