@@ -195,13 +195,13 @@ class OpeningNormalizer {
   }
 
   // How wide a window of ours is that gives such a room its light: 8 % of the floor (International Residential Code, R303.1). Kitchens need
-  // their walls for units, and where pictures are thrown on a screen it is dark.
+  // their walls for units, and where an audience looks at a screen it is dark.
   Mm daylight_width() const {
     constexpr double kShareOfFloor = 0.08, kHeight = 1200;
-    constexpr Mm kWidest = 3600, kGlassStep = 100;
+    constexpr Mm kWidest = 3000, kGlassStep = 100;
     const bool without = std::ranges::any_of(context_.scene.objects, [&](const SceneObject& object) {
       return context_.catalog.entry_or_nearest(object.category).is(Trait::kKitchenRun) ||
-             context_.catalog.is_a(object.category, "projector_screen");
+             context_.catalog.is_a(object.category, "projector_screen") || context_.catalog.is_a(object.category, "theater_seat");
     });
     if (without) return 0;
     const double width = kShareOfFloor * 0.5 * static_cast<double>(std::abs(doubled_area(room_.polygon))) / kHeight;
