@@ -180,7 +180,7 @@ bool is_in(const WordList& list, std::string_view text) {
 
 // Is one of those words said in the sentence of the room that [first, last) names, and not far from it?
 bool is_told(const std::vector<Token>& tokens, const NounPhrase& room, const WordList& words) {
-  constexpr std::size_t kNear = 8;  // tokens
+  constexpr std::size_t kNear = 12;  // tokens
   std::size_t first = room.first, last = room.last;
   while (first > 0 && room.first - first < kNear && !tokens[first - 1].ends_sentence) --first;
   while (last < tokens.size() && last - room.last < kNear && !tokens[last - 1].ends_sentence) ++last;

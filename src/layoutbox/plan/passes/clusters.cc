@@ -32,7 +32,9 @@ void read_groups_behind(const Lexicon& lexicon, const Document& document, Groups
 
 // "in groups of four", "in five groups of four", "in pairs".
 GroupsSaid together_at(const Lexicon& lexicon, const Document& document, std::size_t at) {
-  if (says_one_of(document, at, {"arranged", "grouped", "placed", "set", "seated", "sitting", "sit", "working"})) ++at;
+  if (says_one_of(document, at, {"arranged", "grouped", "placed", "set", "seated", "sitting", "sit", "working", "pushed", "put", "joined"}))
+    ++at;
+  if (says_one_of(document, at, {"together"})) ++at;
   if (!says_one_of(document, at, {"in", "into", "at"})) return {};
   GroupsSaid together;
   if (const NumberRead count = read_number(lexicon, document.tokens, at + 1);  // "in three groups of four"
@@ -42,7 +44,10 @@ GroupsSaid together_at(const Lexicon& lexicon, const Document& document, std::si
   }
   if (says_one_of(document, at + 1, {"pairs", "twos", "couples"})) return {2, at + 2};
   if (says_one_of(document, at + 1, {"threes"})) return {3, at + 2};
-  if (says_one_of(document, at + 1, {"fours"})) return {4, at + 2};
+  const bool sixes =
+      says_one_of(document, at + 2, {"and", "or"}) && says_one_of(document, at + 3, {"sixes", "fives"});  // "in fours and sixes"
+  if (says_one_of(document, at + 1, {"fours"})) return {4, at + (sixes ? 4 : 2)};
+  if (says_one_of(document, at + 1, {"sixes"})) return {6, at + 2};
   if (!says_one_of(document, at + 1, WordSet::kClusters) || !says_one_of(document, at + 2, {"of"})) return {};
   const NumberRead number = read_number(lexicon, document.tokens, at + 3);
   constexpr double kMost = 12;

@@ -21,6 +21,8 @@ class TerseLists : public TokenReader {
       part_subject(i);
       part_from_host(i);
       part_from_pose(i);
+      part_result(i);
+      read_side_group(i);
       complete_center(i);
       complete_half(i);
       round_off(i);
@@ -37,8 +39,22 @@ class TerseLists : public TokenReader {
     tokens_[comma].ends_sentence = true;
   }
 
+  // "Restaurant, seats 40.": the number comes behind.
+  bool read_capacity(std::size_t i) {
+    const std::size_t said = is(i + 1, {"for", "of", "about", "around", "up"}) ? i + (is(i + 2, {"to"}) ? 3 : 2) : i + 1;
+    const NumberRead number = read_number(lexicon_, tokens_, said);
+    if (!opens(i) || !is(i, {"seats", "seating", "capacity"}) || number.length == 0 || number.value < 2 || document_.people > 0)
+      return false;
+    const std::size_t last = said + number.length;
+    if (!breaks(last) && !lexicon_.is_person(singular_of(tokens_[last].text))) return false;
+    document_.people = static_cast<int>(number.value);
+    leave_out(i, breaks(last) ? last : last + 1);
+    return true;
+  }
+
   // "24 kids.", "there are seven of us", "16 seats total": nothing that is put into the room.
   void read_people(std::size_t i) {
+    if (read_capacity(i)) return;
     const std::size_t said = is(i, {"there", "we"}) && is(i + 1, {"are", "is", "will"}) ? (is(i + 2, {"be"}) ? i + 3 : i + 2) : i;
     const NumberRead number = read_number(lexicon_, tokens_, said);
     const std::size_t noun = said + number.length;
@@ -59,7 +75,8 @@ class TerseLists : public TokenReader {
   // Where a class, a team or guests are spoken of, people on their own are those.
   bool says_for_whom() const {
     return std::ranges::any_of(tokens_, [](const Token& t) {
-      return one_of(t.text, {"classroom", "class", "teach", "school", "daycare", "kindergarten", "office", "lab", "laboratory", "seminar"});
+      return one_of(t.text, {"classroom", "class", "teach", "school", "daycare", "kindergarten", "office", "lab", "laboratory", "seminar",
+                             "restaurant", "cafe", "dinner", "dining", "dine", "boardroom", "conference", "meeting"});
     });
   }
 
@@ -94,6 +111,35 @@ class TerseLists : public TokenReader {
     const auto content = thing_named_at(with + 1);
     if (!content || content->last != comma) return;
     if (is_listed_before(with)) end_sentence(comma);
+  }
+
+  // "I like groups, so tables in fours": what follows is asked for, and not told by the way.
+  void part_result(std::size_t comma) {
+    if (!is(comma, {","}) || !is(comma + 1, {"so"}) || is_article(comma + 2) || !thing_named_at(comma + 2)) return;
+    end_sentence(comma);
+    leave_out(comma + 1, comma + 2);
+  }
+
+  // "to the left a seating area composed of two sofas and a table": these are in that half of the room.
+  void read_side_group(std::size_t i) {
+    if (!is(i, {"to", "on"}) || !is(i + 1, {"the"}) || !is(i + 2, {"left", "right"}) || !(opens(i) || is(i - 1, {"and"}))) return;
+    std::size_t at = i + 3;
+    const bool side = is(at, {"side"});
+    if (side) ++at;
+    if (is(at, {"of"})) return;
+    const std::size_t comma = at;
+    if (is(at, {","})) ++at;
+    if (!lexicon_.is(tokens_[std::min(at, tokens_.size() - 1)], WordClass::kIndefinite)) return;
+    std::size_t area = at + 1;
+    while (area < at + 3 && !ends(area) && !is(area, {"area", "group", "zone", "arrangement", "section", "nook"})) ++area;
+    if (!is(area, {"area", "group", "zone", "arrangement", "section", "nook"})) return;
+    std::size_t of = area + 1;
+    if (is(of, {"composed", "consisting", "comprised", "made", "formed"})) of += is(of + 1, {"up"}) ? 2 : 1;
+    if (!is(of, {"with", "of"}) || !is_article(of + 1)) return;
+    tokens_[i].text = "in";
+    if (side) tokens_[i + 3].text = "half";
+    if (!side) words_.push_back({i + 3, word_token("half")});
+    leave_out(comma, of + 1);
   }
 
   // "sofa with its back to the table, sideboard, …": what follows in the list is not behind the sofa as well.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <ranges>
 
+#include "layoutbox/plan/phrases/noun_phrase_parts.h"
 #include "layoutbox/plan/room/bare_sides.h"
 
 namespace layoutbox::offline {
@@ -46,6 +47,9 @@ bool SizeOwner::speaks_of_room(std::size_t first, std::size_t last, const std::v
   const std::vector<Named> named = named_in(begin, first);
   for (const Named& name : std::views::reverse(named)) {
     if (has_class(name.match, WordClass::kRoom) || has_class(name.match, WordClass::kRoomNoun)) return !fits_thing_before(name.at, sides);
+    const Meaning* thing = meaning_of(name.match, WordClass::kObject);
+    if (thing != nullptr && thing->entry != nullptr && thing->entry->mount == Mount::kCeiling)
+      continue;                                                                  // "a sloping ceiling, 3 m wide and …"
     const bool for_thing = sides.size() >= 2 && sides[0] * sides[1] < smallest;  // "a mat of 2 x 1.5 m"
     const bool in_centimetres = name.at + name.match.length == first && says_centimetres(first);
     if (has_class(name.match, WordClass::kObject) && (for_thing || in_centimetres || !beyond(name.match, sides))) return false;
