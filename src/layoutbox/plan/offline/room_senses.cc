@@ -166,7 +166,8 @@ void name_listed_words(const Lexicon& lexicon, Document& document, const RoomKin
 
 NounPhrase* first_known_room(Document& document) {
   for (Chunk& chunk : document.chunks) {
-    if (chunk.kind == ChunkKind::kNoun && chunk.noun.kind == NounKind::kRoom && chunk.noun.room != nullptr) return &chunk.noun;
+    const bool known = chunk.kind == ChunkKind::kNoun && chunk.noun.kind == NounKind::kRoom && chunk.noun.room != nullptr;
+    if (known && !is_beside_room(document, chunk.noun)) return &chunk.noun;
   }
   return nullptr;
 }

@@ -132,6 +132,17 @@ inline bool says_one_of(const Document& document, std::size_t i, WordSet set) {
   return i < document.tokens.size() && one_of(document.tokens[i].text, set);
 }
 
+// "above the bakery is …", "next to the kitchen": where the room is, which is no such room itself.
+inline bool is_beside_room(const Document& document, const NounPhrase& room) {
+  const std::size_t at = room.first;
+  const bool definite = says_one_of(document, at, {"the", "my", "our", "his", "her", "their"});
+  if (!definite || at == 0) return false;
+  const bool opens = at == 1 || document.tokens[at - 2].ends_sentence;
+  if (opens && says_one_of(document, at - 1, {"above", "below", "over", "behind", "beside", "under", "opposite"})) return true;
+  return at > 1 && (at == 2 || document.tokens[at - 3].ends_sentence) && says_one_of(document, at - 2, {"next", "close"}) &&
+         says_one_of(document, at - 1, {"to"});
+}
+
 // The chunks that begin at tokens [first, last) have said what they had to say, in that role.
 inline void take_chunks(Document& document, std::size_t first, std::size_t last, std::string_view role) {
   for (Chunk& chunk : document.chunks) {

@@ -4,6 +4,7 @@
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/normalize.h"
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/room/room_reader_parts.h"
 #include "layoutbox/plan/words/word_sets.h"
 
@@ -46,11 +47,23 @@ void describe_room(const NounPhrase& noun, const Document& document, Room& room)
   }
 }
 
+// "first apartment!! living room is 4 x 5 m": the room of the apartment, where that is no studio and nobody is to sleep there.
+bool is_home_of(const Document& document, const std::vector<std::string>& types) {
+  static constexpr std::string_view kRooms[] = {"living_room", "kitchen", "bathroom", "dining_room", "study", "hallway", "kids_room"};
+  const auto home = std::ranges::find_if(document.rooms, [](const NounPhrase& r) { return r.room != nullptr; });
+  if (types.front() != "studio_apartment" || home == document.rooms.end() || (home->head != "apartment" && home->head != "flat"))
+    return false;
+  const bool one_room = std::ranges::any_of(document.tokens, [](const Token& t) { return t.text == "studio" || t.text == "one"; });
+  const bool sleeps = std::ranges::any_of(
+      document.items, [](const TextItem& item) { return item.noun.entry != nullptr && item.noun.entry->is(Trait::kBed); });
+  return types.size() == 2 && !one_room && !sleeps && std::ranges::find(kRooms, types[1]) != std::end(kRooms);
+}
+
 void set_kind(const Document& document, SceneGraph& scene) {
   Room& room = scene.room;
   std::vector<std::string> types;
   for (const NounPhrase& noun : document.rooms) {
-    if (noun.kind != NounKind::kRoom) continue;
+    if (noun.kind != NounKind::kRoom || is_beside_room(document, noun)) continue;
     const std::string type = room_type(noun);
     if (type.empty() || types.empty() || type == types.front()) describe_room(noun, document, room);  // not "a tiny kitchen" of a flat
     if (!type.empty() && std::find(types.begin(), types.end(), type) == types.end()) types.push_back(type);
@@ -63,6 +76,7 @@ void set_kind(const Document& document, SceneGraph& scene) {
   });
   // ("a garage with a car in it and my workshop" is still a garage)
   if (types.size() > 1 && where(types.front()) && !has_own) std::rotate(types.begin(), types.begin() + 1, types.end());
+  if (types.size() > 1 && is_home_of(document, types)) types.erase(types.begin());
   if (!types.empty()) room.type = types.front();
   if (types.size() > 1) {
     std::string all;
