@@ -157,7 +157,7 @@ class Habits {
   ItemId stand_of_screen(ItemId screen) const;
   bool leaves_screen_to_others(ItemId item, ItemId screen) const;
   bool comes_after_screen(ItemId item, ItemId screen) const;
-  void stay_before_screen(ItemId item, ItemId screen);
+  void stay_before_screen(ItemId item, ItemId screen, bool at_ease);
   void have_screen_before(ItemId item, ItemId screen);
   void watch_from_near(ItemId item, ItemId screen);
   bool only_sees_screen(ItemId item) const;

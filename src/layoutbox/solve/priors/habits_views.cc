@@ -114,10 +114,10 @@ bool Habits::comes_after_screen(ItemId item, ItemId screen) const {
 }
 
 // Who looks along the wall that a screen hangs on sees its edge: machines and chairs; to sofas and beds the screen turns itself.
-void Habits::stay_before_screen(ItemId item, ItemId screen) {
+void Habits::stay_before_screen(ItemId item, ItemId screen, bool at_ease) {
   constexpr Mm kOff = 300, kEasyOff = 1300;
-  constexpr int kSeesEdge = 300;  // points a metre
-  const Mm off = model_.items[item].is(Trait::kEasySeat) ? kEasyOff : kOff;
+  constexpr int kSeesEdge = 300;             // points a metre
+  const Mm off = at_ease ? kEasyOff : kOff;  // nobody rests right before it
   if (!model_.items[screen].has_front || model_.items[item].is(Trait::kCenterPiece)) return;
   Formula f;
   for_each_turn(model_.items[screen], [&](int turn, std::uint64_t states) {
