@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "layoutbox/base/words.h"
 #include "layoutbox/catalog/catalog.h"
 #include "layoutbox/plan/phrases/noun_phrase_parts.h"
 #include "layoutbox/plan/phrases/splice.h"
@@ -20,6 +21,7 @@ class WrittenLinks : public TokenReader {
     for (std::size_t i = 1; i < tokens_.size() && !is_set(document_.stop); ++i) {
       if (skip_[i]) continue;
       read_colon(i);
+      read_parts(i);
       read_order(i);
     }
     splice(document_, skip_, std::move(words_));
@@ -64,6 +66,22 @@ class WrittenLinks : public TokenReader {
         tokens_[colon].text = "with";
         tokens_[colon].ends_sentence = false;
       }
+      return;
+    }
+  }
+
+  // "four styling stations: mirrors and chairs": what each of them has.
+  void read_parts(std::size_t colon) {
+    if (!is(colon, {":"}) || colon < 2 || ends(colon + 1) || is_article(colon + 1)) return;
+    const auto part = thing_named_at(colon + 1);
+    if (!part || tokens_[part->noun].text == singular_of(tokens_[part->noun].text) || !is(part->last, {"and"})) return;
+    for (std::size_t at = colon - 1; at + 4 > colon && at > 0 && !ends(at); --at) {
+      const NumberRead number = read_number(lexicon_, tokens_, at);
+      const auto things = number.length > 0 && number.value > 1 ? thing_named_at(at) : std::nullopt;
+      if (!things || things->last != colon) continue;
+      tokens_[colon].kind = Token::Kind::kWord;
+      tokens_[colon].text = "with";
+      tokens_[colon].ends_sentence = false;
       return;
     }
   }

@@ -204,7 +204,8 @@ void RelationBuilder::settle_mount(std::size_t index) {
     return;
   }
   if (held.supported || mount_of(noun) != Mount::kSurface || !held.beside) return;
-  if (noun.entry->is(Trait::kElseOnWall)) return;  // where nothing there carries it
+  if (noun.entry->is(Trait::kElseOnWall)) return;              // where nothing there carries it
+  if (catalog_.is_a(noun.entry->id, "cash_register")) return;  // "a till by the door": on a counter, which comes with it
   object.mount = Mount::kFloor;
   object.mount_assumed = true;
   // "a lamp", "a reading lamp behind the armchair"

@@ -59,8 +59,9 @@ void RelationBuilder::add_in_room(const Link& link, const PhraseSense& sense, co
   }
   if (place.kind == NounKind::kRoom && (traits_of(sense.type).rests || sense.type == R::kInside)) return;
   if (sense.type == R::kCorner) return add_corners(link, target, place);
-  // "1 m away from the walls": from each of them
-  if (sense.type == R::kDistance && place.kind == NounKind::kWall && place.is_plural() && place.wall_word.empty() && !link.at_most) {
+  // "1 m away from the walls", "away from the wall": from each of them
+  const bool any_wall = place.kind == NounKind::kWall && place.wall_word.empty() && place.wall_relation.empty() && place.attributes.empty();
+  if (any_wall && ((sense.type == R::kDistance && place.is_plural() && !link.at_most) || (sense.type == R::kFar && !link.distance))) {
     for (const int item : target.items) add(link, R::kAwayFromWall, {id(item)}, {});
     return;
   }
