@@ -2,11 +2,17 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox {
+namespace {
+
+constexpr std::string_view kToRest[] = {"comfy ", "comfortable ", "easy ", "lounge ", "reading ", "wing ", "tub ", "club ", "accent "};
+
+}  // namespace
 
 NamedSeats::NamedSeats(const GrowingScene& scene, const Catalog& catalog) {
   const auto is_at = [&](const std::string& host, bool desk) {
@@ -21,7 +27,9 @@ NamedSeats::NamedSeats(const GrowingScene& scene, const Catalog& catalog) {
   for (const SceneObject& object : scene.graph().objects) {
     concluded |= object.origin == Origin::kConcluded;
     const CatalogEntry& kind = catalog.entry_or_nearest(object.category);
-    const bool chair = object.name.ends_with(" chair");  // "an armless chair" may be the desk's
+    // "an armless chair" may be the desk's, "a comfy chair" is not
+    const bool comfy = std::ranges::any_of(kToRest, [&](std::string_view word) { return object.name.starts_with(word); });
+    const bool chair = object.name.ends_with(" chair") && !comfy;
     easy |= object.asked() && kind.is(Trait::kSeat) && !kind.is(Trait::kTableSeat) && !chair;
     if (!kind.is(Trait::kTableSeat)) continue;
     bool placed = false, at_table = false, at_desk = false;

@@ -138,6 +138,9 @@ inline bool is_beside_room(const Document& document, const NounPhrase& room) {
   const std::size_t at = room.first;
   const bool definite = says_one_of(document, at, {"the", "my", "our", "his", "her", "their"});
   if (!definite || at == 0) return false;
+  // "a teaching room in our community center"
+  if (at > 1 && says_one_of(document, at - 1, {"in", "at", "inside"}) && says_one_of(document, at - 2, {"room", "office", "area"}))
+    return true;
   const bool opens = at == 1 || document.tokens[at - 2].ends_sentence;
   if (opens && says_one_of(document, at - 1, {"above", "below", "over", "behind", "beside", "under", "opposite"})) return true;
   return at > 1 && (at == 2 || document.tokens[at - 3].ends_sentence) && says_one_of(document, at - 2, {"next", "close"}) &&
