@@ -231,6 +231,8 @@ bool carries_things(const CatalogEntry& entry) {
   return entry.top_carries || std::ranges::any_of(entry.spaces, [](const SpaceFormula& space) { return space.carries; });
 }
 
+constexpr double kPupilsWidth = 0.7, kPupilsDepth = 0.5;  // m (EN 1729-1: 600 x 500 mm at least)
+
 // "desks in groups of four, my desk by the board": whoever teaches there has one of another kind.
 void name_own_desk(const Lexicon& lexicon, Document& document, const RoomKind& room) {
   const Lexicon::Set* needs = lexicon.needs_in(room.id);
@@ -305,7 +307,11 @@ void settle_room_senses(const Lexicon& lexicon, Document& document) {
     if (has_things && noun.entry != nullptr && noun.entry->top_carries && !carries_things(*entry)) continue;
     if (entry->is(Trait::kLieOn) && is_said_small(noun)) continue;
     if (is_to_sit_on(lexicon, noun, *entry)) continue;
-    if (noun.seats > 1 && noun.head == "desk") continue;  // of a class, put together to a table
+    if (noun.seats > 1 && noun.head == "desk") continue;                    // of a class, put together to a table
+    if ((noun.together > 3 || noun.clusters > 1) && noun.head == "desk") {  // … or in islands, each with its chair before it
+      if (!noun.size.any()) noun.size.width = kPupilsWidth, noun.size.depth = kPupilsDepth;
+      continue;
+    }
     noun.kind = NounKind::kObject;
     noun.entry = entry;
     noun.category = entry->id;

@@ -1,6 +1,7 @@
 #include "layoutbox/plan/passes/terse_lists.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/plan/phrases/splice.h"
@@ -22,6 +23,8 @@ class TerseLists : public TokenReader {
       part_from_host(i);
       part_from_pose(i);
       part_result(i);
+      read_third_wish(i);
+      read_both_halves(i);
       read_side_group(i);
       complete_center(i);
       complete_half(i);
@@ -118,6 +121,41 @@ class TerseLists : public TokenReader {
     if (!is(comma, {","}) || !is(comma + 1, {"so"}) || is_article(comma + 2) || !thing_named_at(comma + 2)) return;
     end_sentence(comma);
     leave_out(comma + 1, comma + 2);
+  }
+
+  // "…, and my wife would love a dressing table": asked for like the rest.
+  void read_third_wish(std::size_t i) {
+    if (!is(i, {"my", "our", "the"}) || i + 3 >= tokens_.size() || !(opens(i) || is(i - 1, {"and"})) || ends(i + 1)) return;
+    if (!lexicon_.is_person(singular_of(tokens_[i + 1].text))) return;
+    std::size_t verb = i + 2;
+    if (is(verb, {"would", "really", "also"})) ++verb;
+    if (is(verb, {"really", "also"})) ++verb;
+    if (!is(verb, {"love", "like", "loves", "likes", "wants", "want", "needs", "need"}) || !is_article(verb + 1)) return;
+    if (thing_named_at(verb + 1)) leave_out(i, verb + 1);
+  }
+
+  // "bed, desk, chair and wardrobe on each side": two of each, the first of them across from one another.
+  void read_both_halves(std::size_t on) {
+    if (!is(on, {"on"}) || !is(on + 1, {"each", "either", "both"}) || !is(on + 2, {"side", "sides"}) || is(on + 3, {"of"})) return;
+    std::vector<NamedThing> things;
+    for (std::size_t end = on; end > 0;) {
+      std::size_t first = end;
+      while (first > 0 && !opens(first) && !is(first - 1, {"and"})) --first;
+      const auto thing = thing_named_at(first);
+      if (!thing || thing->last != end || is_article(first) || tokens_[end - 1].text != singular_of(tokens_[end - 1].text)) break;
+      things.insert(things.begin(), *thing);
+      if (first == 0 || !is(first - 1, {",", "and"})) break;
+      end = first - 1;
+      if (end > 0 && is(end - 1, {","})) --end;
+    }
+    constexpr std::size_t kFewest = 3;
+    if (things.size() < kFewest) return;
+    for (const NamedThing& thing : things) {
+      words_.push_back({thing.first, word_token("two")});
+      tokens_[thing.last - 1].text += "s";
+    }
+    for (const std::string_view word : {"on", "opposite", "walls"}) words_.push_back({things.front().last, word_token(word)});
+    leave_out(on, on + 3);
   }
 
   // "to the left a seating area composed of two sofas and a table": these are in that half of the room.
