@@ -35,16 +35,21 @@ void RelationBuilder::watch_from_afar() {
   const std::size_t said = scene_.relations.size();
   for (std::size_t r = 0; r < said; ++r) {
     const Relation look = scene_.relations[r];
-    if (look.type != R::kFacing || look.targets.size() != 1 || look.references.size() != 1) continue;
+    const bool before = look.type == R::kInFrontOf;  // "two recliners in front of a TV"
+    if ((look.type != R::kFacing && !before) || look.targets.size() != 1 || look.references.size() != 1) continue;
     const SceneObject *seat = object_of(look.targets[0]), *screen = object_of(look.references[0]);
     const CatalogEntry *sits = seat == nullptr ? nullptr : catalog_.find(seat->category),
                        *shown = screen == nullptr ? nullptr : catalog_.find(screen->category);
-    const bool watches = sits != nullptr && shown != nullptr && is_seat(catalog_, noun_of_object(*seat)) && sits->is(Trait::kCenterPiece) &&
-                         shown->is(Trait::kScreen) && shown->is(Trait::kElseOnWall);
+    const bool watches = sits != nullptr && shown != nullptr && is_seat(catalog_, noun_of_object(*seat)) &&
+                         (sits->is(Trait::kCenterPiece) || (before && sits->is(Trait::kEasySeat))) && shown->is(Trait::kScreen) &&
+                         shown->is(Trait::kElseOnWall);
     const auto told = [&](std::size_t i) {
       return scene_.relations[i].references == look.references && traits_of(scene_.relations[i].type).beside;
     };
-    if (!watches || std::ranges::any_of(relations_of(seat->id), told)) continue;
+    const std::vector<std::size_t>& all = relations_of(seat->id);
+    if (!watches || std::ranges::any_of(all, [&](std::size_t i) { return i != r && told(i); })) continue;
+    if (before) scene_.relations[r].parameters.max = kFarthest;
+    if (!before && told(r)) continue;
     Relation& far = add_habit(R::kDistance, look.targets, look.references, kTogether, "one watches a screen from some way off");
     far.parameters.min = kNearest, far.parameters.max = kFarthest;
   }
