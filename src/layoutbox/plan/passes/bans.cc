@@ -21,7 +21,7 @@ class BanReader : public BanPlaces {
       if (skip_[i]) continue;
       kept_ = 0;
       if (read_back_to(i) || pass_none(i) || read_nothing(i) || read_nothing_by(i) || read_kept(i) || read_staying(i) || read_side(i) ||
-          read_room_round(i) || read_accessible(i) || read_room_for(i) || read_plain_room_round(i))
+          read_room_round(i) || read_accessible(i) || read_reached(i) || read_room_for(i) || read_plain_room_round(i))
         continue;
     }
     return std::move(bans_);
@@ -180,6 +180,24 @@ class BanReader : public BanPlaces {
     ban.sides = sides_at(at);
     if (ban.sides.empty() || !is_over(at)) return false;
     take(std::move(ban), i > 0 && is(i - 1, {"is", "are", "be"}) ? i - 1 : i, at);
+    return true;
+  }
+
+  // "a bed she can get into from both sides"
+  bool read_reached(std::size_t i) {
+    constexpr std::size_t kReach = 5;  // tokens
+    if (i == 0 || !is(i, {"can", "could"}) || !is(i - 1, {"she", "he", "one", "you", "they", "we", "i", "people"})) return false;
+    if (!is(i + 1, {"reach", "get", "access", "approach", "use", "walk"})) return false;
+    std::size_t from = i + 2;
+    while (from < i + kReach && is(from, {"into", "to", "at", "in", "out", "of", "around", "round", "it"})) ++from;
+    if (!is(from, {"from"})) return false;
+    std::size_t at = from + 1;
+    Ban ban;
+    ban.kind = Ban::Kind::kFreeSide;
+    ban.depth = kUsualSide;
+    ban.sides = sides_at(at);
+    if (ban.sides.empty() || !is_over(at)) return false;
+    take(std::move(ban), i > 1 && is(i - 2, {"that", "which"}) ? i - 2 : i - 1, at);
     return true;
   }
 

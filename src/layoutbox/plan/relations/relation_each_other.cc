@@ -158,7 +158,8 @@ void RelationBuilder::stand_in_line(const Link& link, const std::string& next, c
     return noun.entry != nullptr && noun.entry->has_front && mount_of(noun) == Mount::kFloor;
   };
   const std::string words = words_between(document_, link.first, link.last);
-  const bool abreast = words.find("side by side") != std::string::npos || words.find("next to each other") != std::string::npos;
+  const bool abreast = words.find("side by side") != std::string::npos || words.find("next to each other") != std::string::npos ||
+                       words.find("beside each") != std::string::npos;
   if (!abreast || !has_place(other) || !has_place(neighbour)) return;
   if (other.entry != neighbour.entry) {
     for (const R type : {R::kSameOrientation, R::kEdgeAlign})
