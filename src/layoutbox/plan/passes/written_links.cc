@@ -75,7 +75,7 @@ class WrittenLinks : public TokenReader {
     if (!is(colon, {":"}) || colon < 2 || ends(colon + 1) || is_article(colon + 1)) return;
     const auto part = thing_named_at(colon + 1);
     if (!part || tokens_[part->noun].text == singular_of(tokens_[part->noun].text) || !is(part->last, {"and"})) return;
-    for (std::size_t at = colon - 1; at + 4 > colon && at > 0 && !ends(at); --at) {
+    for (std::size_t at = colon; at-- > 0 && at + 4 > colon && !ends(at);) {
       const NumberRead number = read_number(lexicon_, tokens_, at);
       const auto things = number.length > 0 && number.value > 1 ? thing_named_at(at) : std::nullopt;
       if (!things || things->last != colon) continue;

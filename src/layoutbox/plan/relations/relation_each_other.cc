@@ -158,8 +158,9 @@ void RelationBuilder::stand_in_line(const Link& link, const std::string& next, c
     return noun.entry != nullptr && noun.entry->has_front && mount_of(noun) == Mount::kFloor;
   };
   const std::string words = words_between(document_, link.first, link.last);
-  const bool abreast = words.find("side by side") != std::string::npos || words.find("next to each other") != std::string::npos ||
-                       words.find("beside each") != std::string::npos;
+  bool abreast = words.find("side by side") != std::string::npos || words.find("next to each other") != std::string::npos;
+  for (std::size_t i = link.first; i + 1 < link.last; ++i)
+    abreast |= document_.tokens[i].text == "beside" && document_.tokens[i + 1].text == "each";
   if (!abreast || !has_place(other) || !has_place(neighbour)) return;
   if (other.entry != neighbour.entry) {
     for (const R type : {R::kSameOrientation, R::kEdgeAlign})
