@@ -260,6 +260,27 @@ bool is_said_small(const NounPhrase& noun) {
   return std::ranges::any_of(noun.attributes, [](const std::string& a) { return one_of(a, {"small", "little", "tiny", "low", "round"}); });
 }
 
+// Whether the noun at chunk k stays what it is, though its word means `entry` in such a room.
+bool keeps_its_kind(const Lexicon& lexicon, Document& document, std::size_t k, const CatalogEntry& entry) {
+  NounPhrase& noun = document.chunks[k].noun;
+  // "a changing mat" is another kind of mat.
+  const bool of_use = std::any_of(noun.attributes.begin(), noun.attributes.end(), [](const std::string& a) { return a.ends_with("ing"); });
+  if (of_use) return true;
+  // "a bench with a towel on it" is none to train on.
+  const bool has = k + 2 < document.chunks.size() && document.chunks[k + 1].kind == ChunkKind::kHave;
+  const CatalogEntry* first = has ? document.chunks[k + 2].noun.entry : nullptr;
+  const bool has_things = has && (first == nullptr || first->mount != Mount::kWall);  // "a vanity with a mirror"
+  if (has_things && noun.entry != nullptr && noun.entry->top_carries && !carries_things(entry)) return true;
+  if (entry.is(Trait::kLieOn) && is_said_small(noun)) return true;
+  if (is_to_sit_on(lexicon, noun, entry)) return true;
+  if (noun.seats > 1 && noun.head == "desk") return true;                 // of a class, put together to a table
+  if ((noun.together > 3 || noun.clusters > 1) && noun.head == "desk") {  // … or in islands, each with its chair before it
+    if (!noun.size.any()) noun.size.width = kPupilsWidth, noun.size.depth = kPupilsDepth;
+    return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void settle_room_senses(const Lexicon& lexicon, Document& document) {
@@ -296,22 +317,7 @@ void settle_room_senses(const Lexicon& lexicon, Document& document) {
     if (!plain && !unknown && !compound && !other_room && !named) continue;
     const CatalogEntry* entry = meant_here(lexicon, *room->room, name, noun, document.tokens[noun.last - 1].text, named);
     if (entry == nullptr) continue;
-    // "a changing mat" is another kind of mat.
-    const bool of_use =
-        std::any_of(noun.attributes.begin(), noun.attributes.end(), [](const std::string& a) { return a.ends_with("ing"); });
-    if (of_use) continue;
-    // "a bench with a towel on it" is none to train on.
-    const bool has = k + 2 < document.chunks.size() && document.chunks[k + 1].kind == ChunkKind::kHave;
-    const CatalogEntry* first = has ? document.chunks[k + 2].noun.entry : nullptr;
-    const bool has_things = has && (first == nullptr || first->mount != Mount::kWall);  // "a vanity with a mirror"
-    if (has_things && noun.entry != nullptr && noun.entry->top_carries && !carries_things(*entry)) continue;
-    if (entry->is(Trait::kLieOn) && is_said_small(noun)) continue;
-    if (is_to_sit_on(lexicon, noun, *entry)) continue;
-    if (noun.seats > 1 && noun.head == "desk") continue;                    // of a class, put together to a table
-    if ((noun.together > 3 || noun.clusters > 1) && noun.head == "desk") {  // … or in islands, each with its chair before it
-      if (!noun.size.any()) noun.size.width = kPupilsWidth, noun.size.depth = kPupilsDepth;
-      continue;
-    }
+    if (keeps_its_kind(lexicon, document, k, *entry)) continue;
     noun.kind = NounKind::kObject;
     noun.entry = entry;
     noun.category = entry->id;

@@ -136,6 +136,19 @@ void count_in_clusters(const Lexicon& lexicon, Document& document, std::size_t k
   seats->plural = false;
 }
 
+// Puts so many of them together, in so many groups where that is said.
+void put_together(const Lexicon& lexicon, const Document& document, NounPhrase& noun, int together, int in_groups) {
+  // "tables in groups of four", of which nobody says how many: tables at which so many sit, as a class does at desks put together.
+  const bool desks = noun.head == "desk" && is_class(lexicon, document);
+  const bool shared = (noun.head == "table" || desks) && noun.count == 0 && together > 2;
+  (shared ? noun.seats : noun.together) = together;
+  if (in_groups > 1 && noun.count == 0) noun.count = shared ? in_groups : in_groups * together;
+  constexpr int kGroups = 4;  // of a class of which nobody says how many they are
+  if (shared && desks && noun.count == 0 && document.people == 0 && !counts_people(lexicon, document)) noun.count = kGroups;
+  if (const CatalogEntry* table = lexicon.catalog().find("table"); shared && desks && table != nullptr)
+    noun.entry = table, noun.category = table->id;
+}
+
 }  // namespace
 
 int people_together(const Lexicon& lexicon, const Document& document) {
@@ -180,15 +193,7 @@ void settle_clusters(const Lexicon& lexicon, Document& document) {
     const auto [together, end, in_groups] = together_at(lexicon, document, stacked ? chunk.last + 1 : chunk.last);
     if (together == 0) continue;
     if (stacked) noun.attributes.emplace_back("stacked");  // "dryers stacked in pairs"
-    // "tables in groups of four", of which nobody says how many: tables at which so many sit, as a class does at desks put together.
-    const bool desks = noun.head == "desk" && is_class(lexicon, document);
-    const bool shared = (noun.head == "table" || desks) && noun.count == 0 && together > 2;
-    (shared ? noun.seats : noun.together) = together;
-    if (in_groups > 1 && noun.count == 0) noun.count = shared ? in_groups : in_groups * together;
-    constexpr int kGroups = 4;  // of a class of which nobody says how many they are
-    if (shared && desks && noun.count == 0 && document.people == 0 && !counts_people(lexicon, document)) noun.count = kGroups;
-    if (const CatalogEntry* table = lexicon.catalog().find("table"); shared && desks && table != nullptr)
-      noun.entry = table, noun.category = table->id;
+    put_together(lexicon, document, noun, together, in_groups);
     grouped = &noun;
     take_chunks(document, chunk.last, end, "together");
   }

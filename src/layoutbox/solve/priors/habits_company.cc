@@ -156,7 +156,6 @@ bool Habits::look_at(ItemId item, bool leads, const std::vector<ItemId>& crowd) 
           after ? std::vector<ItemId>{other} : std::vector<ItemId>{});
     const bool at_ease = self.is(Trait::kEasySeat) && crowd.empty();
     if (model_.items[seen_one].is(Trait::kScreen)) stay_before_screen(item, other, at_ease);
-    if (model_.items[seen_one].is(Trait::kScreen) && at_ease) watch_from_near(item, other);
     if (self.is(Trait::kCenterPiece) && !self.is(Trait::kBed)) {
       if (model_.items[seen_one].is(Trait::kScreen)) watch_from_near(item, other), have_screen_before(item, other);
       if (!model_.items[other].is(Trait::kCoffeeTable)) watch_past_tables(item, other);
