@@ -248,6 +248,8 @@ class RelationBuilder : private RelationWriter {
   void watch_from_afar();
   void turn_to_what_hangs_over();
   void stand_abreast();
+  void stand_between_likes();
+  bool speaks_of_ends() const;
   void stand_at_ends();
   void stand_rows_in_halves();
   void stand_under_wall_cabinets();

@@ -292,6 +292,7 @@ void RelationBuilder::add_habits() {
   leave_room_at_wall();
   turn_to_what_hangs_over();
   stand_abreast();
+  stand_between_likes();
   stand_at_ends();
   stand_rows_in_halves();
   watch_from_afar();

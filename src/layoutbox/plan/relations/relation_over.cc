@@ -119,6 +119,26 @@ void RelationBuilder::stand_abreast() {
   }
 }
 
+// "a bed between two bookcases": these flank it, at the same wall.
+void RelationBuilder::stand_between_likes() {
+  const std::size_t said = scene_.relations.size();
+  for (std::size_t r = 0; r < said; ++r) {
+    const Relation between = scene_.relations[r];
+    if (between.type != R::kBetween || !between.asked() || between.targets.size() != 1 || between.references.size() != 2) continue;
+    const SceneObject *middle = object_of(between.targets[0]), *one = object_of(between.references[0]),
+                      *other = object_of(between.references[1]);
+    if (middle == nullptr || one == nullptr || other == nullptr || one->category != other->category) continue;
+    const CatalogEntry &stands = catalog_.entry_or_nearest(middle->category), &flank = catalog_.entry_or_nearest(one->category);
+    const bool at_wall = flank.back_to_wall && flank.mount == Mount::kFloor && stands.has_front && stands.mount == Mount::kFloor &&
+                         (stands.back_to_wall || stands.is(Trait::kBed) || stands.is(Trait::kDesk));
+    if (!at_wall || may_divide(static_cast<int>(objects_.at(middle->id)))) continue;
+    for (const std::string& side : between.references) {
+      add_habit(R::kNextTo, {side}, between.targets, kTogether, "what something is between stands at its sides");
+      add_habit(R::kSameOrientation, {side}, between.targets, kTogether, "what something is between stands at its sides");
+    }
+  }
+}
+
 void RelationBuilder::line_up(const std::string& first, const std::string& next) {
   constexpr Mm kLong = 1000;
   const SceneObject *one = object_of(first), *other = object_of(next);

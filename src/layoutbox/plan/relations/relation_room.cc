@@ -22,6 +22,17 @@ std::string RelationBuilder::freer_of(const std::string& one, const std::string&
   return said_of(one) < said_of(other) ? one : other;
 }
 
+// "a screen at one end, a board on the side wall": the ends of a wide room are on the left and the right, its sides are the others.
+bool RelationBuilder::speaks_of_ends() const {
+  const bool ends = std::ranges::any_of(document_.tokens, [](const Token& t) { return t.text == "end" || t.text == "short"; });
+  const bool shows = std::ranges::any_of(
+      document_.items, [](const TextItem& item) { return item.noun.entry != nullptr && item.noun.entry->is(Trait::kScreen); });
+  if (!ends || !shows || scene_.room.polygon.empty()) return ends && shows;
+  Mm width = 0, depth = 0;
+  for (const Point& corner : scene_.room.polygon) width = std::max(width, corner.x), depth = std::max(depth, corner.y);
+  return width >= depth;
+}
+
 std::vector<std::string> RelationBuilder::room_reference(const NounPhrase& noun, R type) const {
   const auto words = [&] {
     std::vector<std::string> all;
@@ -37,8 +48,10 @@ std::vector<std::string> RelationBuilder::room_reference(const NounPhrase& noun,
     case NounKind::kWall: {
       auto all = words();
       if (all.size() > 1) all.resize(1);
-      if (all.empty() && noun.name.ends_with("side wall"))
-        all = {wall_of_.try_emplace(noun.first, freer_of("left", "right")).first->second};
+      if (all.empty() && noun.name.ends_with("side wall")) {
+        const bool across = speaks_of_ends();
+        all = {wall_of_.try_emplace(noun.first, across ? freer_of("back", "front") : freer_of("left", "right")).first->second};
+      }
       if (const auto [one, other] = walls_by_length(noun, scene_.room); all.empty() && !one.empty() && noun.wall_relation != "opposite")
         all = {wall_of_.try_emplace(noun.first, freer_of(other, one)).first->second};  // all that is said to be at it
       if (all.empty() && noun.wall_relation.empty() && relation_row(type).arity != RelationArity::kOptional) all = {"back"};
