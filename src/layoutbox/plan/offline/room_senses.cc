@@ -167,7 +167,7 @@ void name_listed_words(const Lexicon& lexicon, Document& document, const RoomKin
 NounPhrase* first_known_room(Document& document) {
   for (Chunk& chunk : document.chunks) {
     const bool known = chunk.kind == ChunkKind::kNoun && chunk.noun.kind == NounKind::kRoom && chunk.noun.room != nullptr;
-    if (known && !is_beside_room(document, chunk.noun)) return &chunk.noun;
+    if (known && !names_another_place(document, chunk.noun)) return &chunk.noun;
   }
   return nullptr;
 }

@@ -173,13 +173,17 @@ class BanReader : public BanPlaces {
   // "a couch accessible from both sides"
   bool read_accessible(std::size_t i) {
     if (!is(i, {"accessible", "reachable", "free", "clear"}) || !is(i + 1, {"from", "on", "at"})) return false;
-    std::size_t at = i + 2;
+    return take_sides(i + 2, i > 0 && is(i - 1, {"is", "are", "be"}) ? i - 1 : i);
+  }
+
+  // What was named last has the sides free that are said at `at`; the words that say so begin at `first`.
+  bool take_sides(std::size_t at, std::size_t first) {
     Ban ban;
     ban.kind = Ban::Kind::kFreeSide;
     ban.depth = kUsualSide;
     ban.sides = sides_at(at);
     if (ban.sides.empty() || !is_over(at)) return false;
-    take(std::move(ban), i > 0 && is(i - 1, {"is", "are", "be"}) ? i - 1 : i, at);
+    take(std::move(ban), first, at);
     return true;
   }
 
@@ -190,15 +194,7 @@ class BanReader : public BanPlaces {
     if (!is(i + 1, {"reach", "get", "access", "approach", "use", "walk"})) return false;
     std::size_t from = i + 2;
     while (from < i + kReach && is(from, {"into", "to", "at", "in", "out", "of", "around", "round", "it"})) ++from;
-    if (!is(from, {"from"})) return false;
-    std::size_t at = from + 1;
-    Ban ban;
-    ban.kind = Ban::Kind::kFreeSide;
-    ban.depth = kUsualSide;
-    ban.sides = sides_at(at);
-    if (ban.sides.empty() || !is_over(at)) return false;
-    take(std::move(ban), i > 1 && is(i - 2, {"that", "which"}) ? i - 2 : i - 1, at);
-    return true;
+    return is(from, {"from"}) && take_sides(from + 1, i > 1 && is(i - 2, {"that", "which"}) ? i - 2 : i - 1);
   }
 
   // "room for a walker on both sides of the bed"

@@ -1,9 +1,11 @@
 #include "layoutbox/plan/passes/terse_lists.h"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "layoutbox/base/words.h"
+#include "layoutbox/catalog/catalog.h"
 #include "layoutbox/plan/phrases/splice.h"
 #include "layoutbox/plan/phrases/token_reader.h"
 
@@ -91,15 +93,15 @@ class TerseLists : public TokenReader {
       return;
     const bool does = is(thing->last, {"needs", "need", "has"}) ? is(thing->last + 1, {"to"}) : !breaks(thing->last + 1);
     const bool determined = thing->noun > thing->first && is(thing->first, {"which", "that", "all", "both", "each"});
-    if (does && !determined && is_bare_item_before(comma)) end_sentence(comma);
+    const auto item = item_before(comma);
+    if (does && !determined && item && item->last == comma) end_sentence(comma);
   }
 
-  // A thing of a list is what stands before the comma, so that what follows is no second subject of its verb.
-  bool is_bare_item_before(std::size_t comma) const {
+  // What the list's item before the comma begins with.
+  std::optional<NamedThing> item_before(std::size_t comma) const {
     std::size_t first = comma;
     while (first > 0 && !opens(first)) --first;
-    const auto thing = thing_named_at(first);
-    return thing && thing->last == comma;
+    return thing_named_at(first);
   }
 
   // "bed, rug, desk with a swivel chair, a beanbag.": what the list ends with is no more the desk's than what it begins with.
@@ -142,7 +144,8 @@ class TerseLists : public TokenReader {
       std::size_t first = end;
       while (first > 0 && !opens(first) && !is(first - 1, {"and"})) --first;
       const auto thing = thing_named_at(first);
-      if (!thing || thing->last != end || is_article(first) || tokens_[end - 1].text != singular_of(tokens_[end - 1].text)) break;
+      const bool stands = thing && thing->entry != nullptr && thing->entry->mount == Mount::kFloor;
+      if (!stands || thing->last != end || is_article(first) || tokens_[end - 1].text != singular_of(tokens_[end - 1].text)) break;
       things.insert(things.begin(), *thing);
       if (first == 0 || !is(first - 1, {",", "and"})) break;
       end = first - 1;
@@ -167,7 +170,7 @@ class TerseLists : public TokenReader {
     if (is(at, {"of"})) return;
     const std::size_t comma = at;
     if (is(at, {","})) ++at;
-    if (!lexicon_.is(tokens_[std::min(at, tokens_.size() - 1)], WordClass::kIndefinite)) return;
+    if (ends(at) || !lexicon_.is(tokens_[at], WordClass::kIndefinite)) return;
     std::size_t area = at + 1;
     while (area < at + 3 && !ends(area) && !is(area, {"area", "group", "zone", "arrangement", "section", "nook"})) ++area;
     if (!is(area, {"area", "group", "zone", "arrangement", "section", "nook"})) return;
@@ -197,16 +200,9 @@ class TerseLists : public TokenReader {
     int items = 0;
     for (std::size_t i = with; i-- > 0 && !tokens_[i].ends_sentence;) {
       if (is(i, {"is", "are", "has", "have", "stands", "and"})) return false;
-      if (!is(i, {","}) || !is_bare_or_placed_item(i)) continue;
-      ++items;
+      if (is(i, {","}) && item_before(i)) ++items;
     }
     return items >= kFewest;
-  }
-
-  bool is_bare_or_placed_item(std::size_t comma) const {
-    std::size_t first = comma;
-    while (first > 0 && !opens(first)) --first;
-    return thing_named_at(first).has_value();
   }
 
   // "steel table center, cart": in the center.
@@ -220,8 +216,7 @@ class TerseLists : public TokenReader {
 
   // "cots on one half; on the other a mat": the half that is left.
   void complete_half(std::size_t i) {
-    const auto halves = [&](std::size_t at) { return is(at, {"half", "side", "end"}) && !is(at + 1, {"of"}); };
-    if (is(i, {"one"}) && halves(i + 1) && i > 0 && (is(i - 1, {"on", "in", "at"}) || is(i - 1, {"the"}))) one_half_ = true;
+    one_half_ |= is(i, {"one"}) && is(i + 1, {"half"}) && !is(i + 2, {"of"}) && i > 0 && is(i - 1, {"on", "in", "the"});
     if (!is(i, {"on", "in", "at"}) || !is(i + 1, {"the"}) || !is(i + 2, {"other"}) || !opens(i) || !is_article(i + 3) || !one_half_) return;
     tokens_[i].text = "in";
     tokens_[i + 2].text = "right";
@@ -244,7 +239,7 @@ class TerseLists : public TokenReader {
 
   Document& document_;
   std::vector<Splice> words_;
-  bool one_half_ = false;  // something is on one half or side
+  bool one_half_ = false;  // something is on one half
 };
 
 }  // namespace

@@ -28,22 +28,10 @@ class WrittenLinks : public TokenReader {
   }
 
  private:
-  // The words of a thing's name: [first, last).
-  struct Name {
-    std::size_t first = 0, last = 0;
-  };
-
-  const CatalogEntry* entry_of(const NamedThing& thing) const {
-    const Meaning* meaning = meaning_of(lexicon_.find(tokens_, name_of(thing).first), WordClass::kObject);
-    return meaning == nullptr ? nullptr : meaning->entry;
-  }
-
-  // `noun` is the last word of the name.
-  Name name_of(const NamedThing& thing) const {
-    for (std::size_t at = thing.first; at < thing.last; ++at) {
-      if (at + lexicon_.find(tokens_, at, WordClass::kObject).length == thing.last) return {at, thing.last};
-    }
-    return {thing.noun, thing.last};
+  void read_as_with(std::size_t colon) {
+    tokens_[colon].kind = Token::Kind::kWord;
+    tokens_[colon].text = "with";
+    tokens_[colon].ends_sentence = false;
   }
 
   // "stands a table laid for six: six plates and a candelabra", "here is the desk: a lamp and a mug on it"
@@ -51,20 +39,18 @@ class WrittenLinks : public TokenReader {
     constexpr std::size_t kLongest = 8;  // words of the furniture and what is said of it
     if (!is(colon, {":"}) || colon + 1 >= tokens_.size()) return;
     const auto content = thing_named_at(colon + 1);
-    const CatalogEntry* small = content ? entry_of(*content) : nullptr;
+    const CatalogEntry* small = content ? content->entry : nullptr;
     if (small == nullptr || small->mount != Mount::kSurface) return;
     for (std::size_t at = colon - 1; at > 0 && colon - at <= kLongest && !ends(at); --at) {
       if (!lexicon_.is(tokens_[at], WordClass::kPlaceVerb) && !is(at, {"stands", "is", "are", "stand"})) continue;
       const auto carrier = thing_named_at(at + 1);
-      const CatalogEntry* host = carrier ? entry_of(*carrier) : nullptr;
+      const CatalogEntry* host = carrier ? carrier->entry : nullptr;
       if (host == nullptr || host->mount != Mount::kFloor || !host->top_carries) return;
       if (tells_on(colon)) {
         tokens_[colon].text = ";";
         tokens_[colon].ends_sentence = true;
       } else {
-        tokens_[colon].kind = Token::Kind::kWord;
-        tokens_[colon].text = "with";
-        tokens_[colon].ends_sentence = false;
+        read_as_with(colon);
       }
       return;
     }
@@ -78,11 +64,7 @@ class WrittenLinks : public TokenReader {
     for (std::size_t at = colon; at-- > 0 && at + 4 > colon && !ends(at);) {
       const NumberRead number = read_number(lexicon_, tokens_, at);
       const auto things = number.length > 0 && number.value > 1 ? thing_named_at(at) : std::nullopt;
-      if (!things || things->last != colon) continue;
-      tokens_[colon].kind = Token::Kind::kWord;
-      tokens_[colon].text = "with";
-      tokens_[colon].ends_sentence = false;
-      return;
+      if (things && things->last == colon) return read_as_with(colon);
     }
   }
 
@@ -95,8 +77,8 @@ class WrittenLinks : public TokenReader {
   }
 
   // The two things that were brought in last before `at`, in the part of the text that names two.
-  std::optional<std::pair<Name, Name>> pair_before(std::size_t at) const {
-    std::vector<Name> names;
+  std::optional<std::pair<NamedThing, NamedThing>> pair_before(std::size_t at) const {
+    std::vector<NamedThing> names;
     std::size_t last = at;
     for (int parts = 0; parts < 2; ++parts) {
       std::size_t first = last;
@@ -104,7 +86,7 @@ class WrittenLinks : public TokenReader {
       names.clear();
       for (std::size_t i = first; i < last; ++i) {
         if (!lexicon_.is(tokens_[i], WordClass::kIndefinite)) continue;
-        if (const auto thing = thing_named_at(i); thing && thing->last <= last) names.push_back(name_of(*thing));
+        if (const auto thing = thing_named_at(i); thing && thing->last <= last) names.push_back(*thing);
       }
       if (names.size() >= 2) return std::pair{names[names.size() - 2], names.back()};
       if (first == 0) break;
@@ -116,17 +98,17 @@ class WrittenLinks : public TokenReader {
   // "the former has a lamp on it, while the latter is filled with books"
   void read_order(std::size_t at) {
     if (!is(at, {"former", "latter"}) || !is(at - 1, {"the"})) return;
-    if (lexicon_.find(tokens_, at + 1, WordClass::kObject).length > 0 && !ends(at)) return;  // "the former chapel"
+    if (!ends(at + 1) && lexicon_.find(tokens_, at + 1, WordClass::kObject).length > 0) return;  // "the former counter"
     if (is(at, {"former"}) || !named_) named_ = pair_before(at - 1);
     if (!named_) return;
-    const Name name = is(at, {"former"}) ? named_->first : named_->second;
-    for (std::size_t i = name.first; i + 1 < name.last; ++i) words_.push_back({at, word_token(tokens_[i].text)});
-    tokens_[at].text = tokens_[name.last - 1].text;
+    const NamedThing& thing = is(at, {"former"}) ? named_->first : named_->second;
+    for (std::size_t i = thing.name; i < thing.noun; ++i) words_.push_back({at, word_token(tokens_[i].text)});
+    tokens_[at].text = tokens_[thing.noun].text;
   }
 
   Document& document_;
   std::vector<Splice> words_;
-  std::optional<std::pair<Name, Name>> named_;  // of the last "former"
+  std::optional<std::pair<NamedThing, NamedThing>> named_;  // of the last "former"
 };
 
 }  // namespace

@@ -133,7 +133,7 @@ inline bool says_one_of(const Document& document, std::size_t i, WordSet set) {
 }
 
 // "above the bakery is …", "next to the kitchen": where the room is, which is no such room itself; and "storage for diapers" is none.
-inline bool is_beside_room(const Document& document, const NounPhrase& room) {
+inline bool names_another_place(const Document& document, const NounPhrase& room) {
   if (room.head == "storage" && says_one_of(document, room.last, {"for"})) return true;
   const std::size_t at = room.first;
   const bool definite = says_one_of(document, at, {"the", "my", "our", "his", "her", "their"});

@@ -41,9 +41,11 @@ class TokenReader {
   }
   bool ends(std::size_t at) const { return at >= tokens_.size() || tokens_[at].kind == Token::Kind::kPunctuation; }
   bool begins(std::size_t at) const { return at == 0 || tokens_[at - 1].ends_sentence; }
-  // A thing that is named with its article or number and what it is like: the first word, that of its name, and where it ends.
+  // A thing that is named with its article or number and what it is like: the first word, where its name begins, the last word of that,
+  // where it ends, and what it is.
   struct NamedThing {
-    std::size_t first = 0, noun = 0, last = 0;
+    std::size_t first = 0, name = 0, noun = 0, last = 0;
+    const CatalogEntry* entry = nullptr;
   };
   // What is named from `at` on; of "a glass table" the table.
   std::optional<NamedThing> thing_named_at(std::size_t at) const;

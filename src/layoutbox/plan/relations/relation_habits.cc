@@ -297,7 +297,6 @@ void RelationBuilder::add_habits() {
   stand_rows_in_halves();
   watch_from_afar();
   stand_under_wall_cabinets();
-
   sit_together();
   sit_at_windows();
   work_at_windows();

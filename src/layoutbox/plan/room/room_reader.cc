@@ -63,7 +63,7 @@ void set_kind(const Document& document, SceneGraph& scene) {
   Room& room = scene.room;
   std::vector<std::string> types;
   for (const NounPhrase& noun : document.rooms) {
-    if (noun.kind != NounKind::kRoom || is_beside_room(document, noun)) continue;
+    if (noun.kind != NounKind::kRoom || names_another_place(document, noun)) continue;
     const std::string type = room_type(noun);
     if (type.empty() || types.empty() || type == types.front()) describe_room(noun, document, room);  // not "a tiny kitchen" of a flat
     if (!type.empty() && std::find(types.begin(), types.end(), type) == types.end()) types.push_back(type);
