@@ -35,6 +35,7 @@
 #include "layoutbox/plan/passes/their_own.h"
 #include "layoutbox/plan/passes/uses.h"
 #include "layoutbox/plan/passes/wall_lists.h"
+#include "layoutbox/plan/passes/wants.h"
 #include "layoutbox/plan/passes/wordings.h"
 #include "layoutbox/plan/passes/written_links.h"
 #include "layoutbox/plan/room/coordinates.h"
@@ -80,6 +81,7 @@ constexpr WordPass kWordPasses[] = {
      "A table with three chairs on each long side and one at each end."},
     {"said counts", read_said_counts, "An office with desks (qty 4).", "An office with four desks."},
     {"courtesies", read_courtesies, "A bedroom with a bed, and if you could also put in a desk.", "A bedroom with a bed and a desk."},
+    {"wants", read_wants, "A study. I need to write at a desk.", "A study. A desk."},
     {"requests", read_requests, "I was hoping to have a bed in the corner.", "A bed in the corner."},
     {"each after", read_each_after, "A hall with four tables with two chairs each, arranged in two rows.",
      "A hall with four tables arranged in two rows, each with two chairs."},

@@ -1,6 +1,7 @@
 #include "layoutbox/plan/offline/wishes.h"
 
 #include <algorithm>
+#include <charconv>
 #include <limits>
 #include <map>
 
@@ -40,6 +41,16 @@ class Furnisher {
     for (std::size_t k = 0; k < kinds_.size(); ++k) furnish(*kinds_[k], k == 0);
     for (const CatalogEntry* entry : named) add_named(*entry);
     scene_.notes.push_back({"filled", because + ": the usual furniture of a " + kinds_.front()->name + " is taken", "prompt"});
+  }
+
+  // What is done there needs them: "I want to cook and to eat".
+  void add_wanted() {
+    for (const SceneObject& object : scene_.objects) numbers_[object.category] = std::max(numbers_[object.category], number_of(object.id));
+    for (const Wanted& wanted : document_.wanted) {
+      const int there = static_cast<int>(std::ranges::count_if(
+          scene_.objects, [&](const SceneObject& object) { return catalog_.is_a(object.category, wanted.entry->id); }));
+      if (there < wanted.count && !excluded(wanted.entry->id)) add(*wanted.entry, wanted.count - there, Origin::kConcluded);
+    }
   }
 
   // A part of the room of which nothing is there: "with a kitchen at one end".
@@ -105,6 +116,10 @@ class Furnisher {
         return add_kind(catalog_.find_room(room));
       }
     }
+    if (!document_.wanted_room.empty()) {
+      because = "what one does there says what it is for";
+      return add_kind(catalog_.find_room(document_.wanted_room));
+    }
     for (const CatalogEntry* entry : named) {
       if (entry->rooms.empty()) continue;
       because = "a " + entry->name + " is named";
@@ -141,13 +156,13 @@ class Furnisher {
     return std::ranges::any_of(seat.beside, [&](const std::string& kind) { return catalog_.is_a(table, kind); });
   }
 
-  void add(const CatalogEntry& entry, int count) {
+  void add(const CatalogEntry& entry, int count, Origin origin = Origin::kAssumed) {
     for (int i = 0; i < count; ++i) {
       SceneObject object;
       object.id = entry.id + "_" + std::to_string(++numbers_[entry.id]);
       object.category = entry.id;
       object.name = entry.name;
-      object.origin = Origin::kAssumed;
+      object.origin = origin;
       scene_.objects.push_back(std::move(object));
     }
   }
@@ -187,6 +202,14 @@ class Furnisher {
       area += area_of(seat->size.usual) * count;
     }
     return area;
+  }
+
+  // "bed_2": 2
+  static int number_of(std::string_view id) {
+    const std::string_view digits = id.substr(std::min(id.size(), id.rfind('_') + 1));
+    int number = 0;
+    std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    return number;
   }
 
   static double area_of(const Size& size) { return double(size.width) * size.depth; }
@@ -302,6 +325,7 @@ void name_room_by_contents(const Lexicon& lexicon, const Document& document, Sce
   const bool named = std::ranges::any_of(document.rooms, [](const NounPhrase& room) { return room.kind == NounKind::kRoom && room.room; });
   if (!scene.room.type.empty() || named) return;
   scene.room.type = kind_by_contents(lexicon, document, scene);
+  if (scene.room.type.empty() && !scene.objects.empty()) scene.room.type = document.wanted_room;
   const RoomKind* kind = scene.room.type.empty() ? nullptr : lexicon.catalog().find_room(scene.room.type);
   for (SceneObject& object : scene.objects) {  // what a plain word means in such a room: children sleep in beds for one
     const CatalogEntry* own = kind == nullptr ? nullptr : lexicon.catalog().find(object.category);
@@ -329,7 +353,10 @@ void furnish_by_wish(const Lexicon& lexicon, const Document& document, SceneGrap
     scene.relations.clear();
   }
   if (scene.objects.empty() && wants_no_furniture(document)) return;
-  if (scene.objects.empty()) return Furnisher(lexicon, document, scene).run();
+  const bool only_wished = scene.objects.empty();
+  if (only_wished) Furnisher(lexicon, document, scene).run();
+  Furnisher(lexicon, document, scene).add_wanted();
+  if (only_wished) return;
   // "Open plan flat. Kitchen at one end, …": a kitchen of which nothing is named.
   const bool kitchen = std::ranges::any_of(document.rooms, [](const NounPhrase& room) {
     const bool known = room.determiner != Determiner::kNone && room.determiner != Determiner::kIndefinite;  // "tea is in the kitchen"

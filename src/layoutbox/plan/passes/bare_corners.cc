@@ -31,9 +31,19 @@ void read_stage_words(Document& document, std::vector<bool>& skip) {
   std::vector<Splice> words;
   std::vector<Token>& tokens = document.tokens;
   for (std::size_t i = 0; i < tokens.size(); ++i) {
+    const std::size_t next = i + 1;
+    // "a sideboard stage left": no stage stands there
+    if (says_one_of(document, i, {"stage"}) && says_one_of(document, next, {"left", "right"}) && !says_one_of(document, next + 1, {"of"})) {
+      const bool led = i > 0 && says_one_of(document, i - 1, {"on", "at", "to", "the"});
+      if (!led) words.push_back({i, word_token("on")});
+      tokens[i].text = "the";
+      tokens[next].text = tokens[next].text == "left" ? "right" : "left";
+      words.push_back({next + 1, word_token("side")});
+      for (const std::string_view word : {"of", "the", "room"}) words.push_back({next + 1, word_token(word)});
+      continue;
+    }
     if (skip[i] || !says_one_of(document, i, {"upstage", "downstage"})) continue;
     tokens[i].text = tokens[i].text == "upstage" ? "back" : "front";
-    const std::size_t next = i + 1;
     if (says_one_of(document, next, {"left", "right"})) {
       tokens[next].text = tokens[next].text == "left" ? "right" : "left";
       continue;
@@ -96,6 +106,44 @@ void part_things_from_walls(const Lexicon& lexicon, Document& document, std::vec
   splice(document, skip, std::move(words));
 }
 
+// "a corner shower", "a corner sofa,": it stands in a corner, where nothing else is said of its place.
+void place_corner_pieces(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
+  std::vector<Splice> words;
+  const std::vector<Token>& tokens = document.tokens;
+  for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
+    if (skip[i] || !says_one_of(document, i, {"corner"}) || tokens[i].ends_sentence) continue;
+    const Match whole = lexicon.find(tokens, i, WordClass::kObject);
+    const std::size_t end = whole.length > 1 ? i + whole.length : i + 1 + lexicon.find(tokens, i + 1, WordClass::kObject).length;
+    const Match thing = whole.length > 1 ? whole : lexicon.find(tokens, i + 1, WordClass::kObject);
+    const auto stands = [](const Meaning& m) { return m.entry != nullptr && m.entry->mount == Mount::kFloor && !m.entry->thin; };
+    const bool leads = i == 0 || tokens[i - 1].ends_sentence || tokens[i - 1].kind == Token::Kind::kPunctuation ||
+                       lexicon.is(tokens[i - 1], WordClass::kIndefinite) || lexicon.is(tokens[i - 1], WordClass::kAnd) ||
+                       lexicon.is(tokens[i - 1], WordClass::kSizeWord) || says_one_of(document, i - 1, {"with"});
+    const bool over = end >= tokens.size() || tokens[end - 1].ends_sentence || tokens[end].kind == Token::Kind::kPunctuation ||
+                      lexicon.is(tokens[end], WordClass::kAnd);
+    if (thing.length == 0 || !std::ranges::any_of(thing.meanings, stands) || !leads || !over) continue;
+    skip[i] = whole.length <= 1;
+    for (const std::string_view word : {"in", "the", "corner"}) words.push_back({end, word_token(word)});
+  }
+  splice(document, skip, std::move(words));
+}
+
+// "a screen at one end, a sideboard at the other": at the other end.
+void complete_other_ends(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
+  std::vector<Splice> words;
+  const std::vector<Token>& tokens = document.tokens;
+  bool one = false;  // end, in this sentence
+  for (std::size_t i = 0; i + 2 < tokens.size(); ++i) {
+    if (says_one_of(document, i, {"at"}) && says_one_of(document, i + 1, {"one"}) && says_one_of(document, i + 2, {"end"})) one = true;
+    const bool other = says_one_of(document, i, {"at"}) && says_one_of(document, i + 1, {"the"}) && says_one_of(document, i + 2, {"other"});
+    const bool over = i + 3 >= tokens.size() || tokens[i + 2].ends_sentence || tokens[i + 3].kind == Token::Kind::kPunctuation ||
+                      lexicon.is(tokens[i + 3], WordClass::kAnd);
+    if (one && other && over) words.push_back({i + 3, word_token("end")});
+    one = one && !tokens[i].ends_sentence;
+  }
+  splice(document, skip, std::move(words));
+}
+
 // How many words before `it` begin a clause that tells of what is beside it: "and in front of it"; 0: none.
 std::size_t begins_by(const Document& document, std::size_t it) {
   constexpr std::size_t kLongest = 3;  // "in front of"
@@ -139,6 +187,8 @@ void complete_bare_corners(const Lexicon& lexicon, Document& document, std::vect
   complete_bare_walls(lexicon, document, skip);
   part_things_from_walls(lexicon, document, skip);
   part_things_from_it(lexicon, document, skip);
+  place_corner_pieces(lexicon, document, skip);
+  complete_other_ends(lexicon, document, skip);
   std::vector<Splice> words;
   for (std::size_t i = 0; i + 1 < document.tokens.size(); ++i) {
     if (skip[i] || !names_corner(lexicon, document, i)) continue;

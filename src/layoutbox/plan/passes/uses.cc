@@ -7,16 +7,15 @@
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/trait_table.h"
-#include "layoutbox/catalog/word_lists.h"
 #include "layoutbox/plan/phrases/noun_phrase_parts.h"
-#include "layoutbox/plan/phrases/token_reader.h"
+#include "layoutbox/plan/passes/use_rows.h"
 
 namespace layoutbox::offline {
 namespace {
 
-class UseReader : public TokenReader {
+class UseReader : public UseRows {
  public:
-  using TokenReader::TokenReader;
+  using UseRows::UseRows;
 
   void run() {
     constexpr int kMost = 40;  // nobody wants more: looking for what the whole text names stays cheap
@@ -56,12 +55,6 @@ class UseReader : public TokenReader {
     return stands ? at + 2 + thing.length : 0;
   }
 
-  struct Use {
-    WordList row;
-    std::size_t end = 0;  // of the words that say it
-    int people = 0;       // "for three friends to sit"; 0: nobody says for how many
-  };
-
   // The tokens of "somewhere", "a place", "some space", "storage" that begin there; 0: none.
   std::size_t place_at(std::size_t i) const {
     const std::size_t article = is(i, {"a", "an", "some", "enough", "another", "plenty", "lots", "more"}) ? 1 : 0;
@@ -82,45 +75,6 @@ class UseReader : public TokenReader {
     if (i == 0 || tokens_[i - 1].ends_sentence) return true;
     return !is(i - 1, {"in",   "at",   "by", "near", "from", "into", "of", "as",  "its",  "the",    "no",     "to",
                        "this", "that", "my", "our",  "so",   "is",   "on", "any", "same", "living", "dining", "walk"});
-  }
-
-  // Behind "all the", "about a hundred", "her three".
-  std::size_t past_quantity(std::size_t at) const {
-    constexpr std::size_t kMost = 4;  // tokens
-    if (is(at, {"all", "about", "around", "roughly", "some", "nearly", "over"}) && is_article(at + 1)) ++at;
-    for (std::size_t taken = 0; taken < kMost && is_article(at); ++taken) ++at;
-    // "four pairs of boots"
-    if (is(at, {"pairs", "lots", "stacks", "piles", "heaps", "sets", "pair", "pile", "stack"}) && is(at + 1, {"of"})) at += 2;
-    return at;
-  }
-
-  // The tokens from `at` on that say these words, determiners and plurals aside; 0: they say something else.
-  std::size_t matched(std::string_view words, std::size_t at) const {
-    const std::size_t first = at;
-    while (!words.empty()) {
-      const std::string_view word = words.substr(0, words.find(' '));
-      words.remove_prefix(std::min(words.size(), word.size() + 1));
-      while (at > first && is_article(at) && tokens_[at].text != word) ++at;
-      if (at == first) at = past_quantity(at);
-      if (at >= tokens_.size() || tokens_[at].text.empty()) return 0;
-      const bool alike = tokens_[at].text.front() == word.front();  // no plural begins otherwise
-      if (!alike || (tokens_[at].text != word && singular_of(tokens_[at].text) != singular_of(word))) return 0;
-      ++at;
-    }
-    return at - first;
-  }
-
-  // The use of which most words are said there.
-  std::optional<Use> longest(std::string_view list, std::size_t at, int people) const {
-    std::optional<Use> best;
-    for (const WordList::Member row : words_.at("uses")) {
-      if (!row.value.contains(list)) continue;
-      for (const WordList::Member words : row.value.at(list)) {
-        const std::size_t length = matched(words.value.text(), at);
-        if (length > 0 && (!best || at + length > best->end)) best = Use{row.value, at + length, people};
-      }
-    }
-    return best;
   }
 
   // "somewhere for the old dog to lie down"
@@ -150,22 +104,6 @@ class UseReader : public TokenReader {
     return is_may(may) ? to_do(may + 1, 0) : std::nullopt;
   }
 
-  // What is done there: "sit", or "drop my uniform", which has its place where it is kept.
-  std::optional<Use> to_do(std::size_t at, int people) const {
-    const auto done = longest("to", at, people);
-    if (done) return done;
-    const std::size_t length = keeping(at);
-    return length > 0 ? longest("for", at + length, people) : std::nullopt;
-  }
-
-  // The tokens of "put", "drop", "set down" there; 0: nothing is kept.
-  std::size_t keeping(std::size_t at) const {
-    for (const WordList::Member word : words_.at("keep")) {
-      if (const std::size_t length = matched(word.value.text(), at); length > 0) return length;
-    }
-    return 0;
-  }
-
   // "storage for her diapers": of what no row says where it is kept, a cabinet.
   std::optional<Use> kept_anywhere(std::size_t i, std::size_t at) const {
     bool stores = false;
@@ -184,38 +122,6 @@ class UseReader : public TokenReader {
       if (tokens_[at].text == word.value.text()) return true;
     }
     return false;
-  }
-
-  // The kind of room that the text names first, or empty.
-  std::string_view room() const {
-    for (std::size_t i = 0; i < tokens_.size(); ++i) {
-      for (const Meaning& meaning : lexicon_.find(tokens_, i, WordClass::kRoom).meanings) {
-        if (meaning.word_class == WordClass::kRoom && meaning.room != nullptr) return meaning.room->id;
-      }
-    }
-    return {};
-  }
-
-  // Whether what does it already (`unless`) is named anywhere outside the use itself.
-  bool is_served(const Use& use, std::size_t first) const {
-    if (!use.row.contains("unless")) return false;
-    for (const WordList::Member words : use.row.at("unless")) {
-      for (std::size_t i = 0; i < tokens_.size(); ++i) {
-        const bool outside = i < first || i >= use.end;
-        if (outside && !skip_[i] && tokens_[i].kind == Token::Kind::kWord && matched(words.value.text(), i) > 0) return true;
-      }
-    }
-    return false;
-  }
-
-  std::string_view thing_of(const Use& use) const {
-    if (use.row.contains("rooms")) {
-      const std::string_view here = room();
-      for (const WordList::Member kind : use.row.at("rooms")) {
-        if (kind.key == here) return kind.value.text();
-      }
-    }
-    return use.row.at("is").text();
   }
 
   // A wish of which no thing is named says what kind of room it is (`wishes`).
@@ -266,7 +172,7 @@ class UseReader : public TokenReader {
 
   // "two armchairs" from `at` on and before `end`: behind it.
   std::size_t put_thing(std::size_t at, const Use& use, std::size_t end) {
-    std::string_view thing = thing_of(use);
+    std::string_view thing = thing_of(use, room());
     const auto words = static_cast<std::size_t>(std::ranges::count(thing, ' ') + 1);
     if (at + words > end) return at;
     if (at + words < end) put(at++, use.people > 1 && use.row.contains("each") ? "two" : "a");
@@ -294,7 +200,6 @@ class UseReader : public TokenReader {
     tokens_[at].kind = Token::Kind::kWord;
   }
 
-  const WordList words_ = word_list("words_uses");
 };
 
 }  // namespace

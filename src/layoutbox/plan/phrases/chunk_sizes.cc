@@ -260,7 +260,7 @@ bool Chunker::read_bare_length() {
   constexpr double kShortest = 0.25, kLongest = 8;  // metres
   if (measure->metres < kShortest || measure->metres > kLongest) return false;
   const bool ends = of || end >= tokens_.size() || tokens_[end].text == (bracketed ? ")" : ",") || tokens_[end].ends_sentence ||
-                    tokens_[end].text == "and";
+                    one_of(tokens_[end].text, {"and", "with", "along", "in", "under", "beneath", "below"});
   if (!ends) return false;
   add(ChunkKind::kSize, measure->length).size.width = measure->metres;
   return true;

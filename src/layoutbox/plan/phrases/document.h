@@ -92,6 +92,12 @@ struct CoordinatesSaid {
   std::optional<double> x, y;
 };
 
+// A thing that what somebody wants to do needs: "cook" a stove.
+struct Wanted {
+  const CatalogEntry* entry = nullptr;
+  int count = 1;
+};
+
 struct Document {
   std::string prompt;
   std::vector<Token> tokens;
@@ -111,6 +117,8 @@ struct Document {
   std::vector<std::size_t> size_said_at;  // places in the prompt of the words that said the room's size
   std::optional<Niche> niche;
   std::vector<CoordinatesSaid> coordinates;
+  std::vector<Wanted> wanted;
+  std::string wanted_room;  // the kind of room in which that is done; empty: nothing is wanted
   int people = 0;      // "an office for three": for how many the room is; 0: not said
   bool young = false;  // … children
   int groups = 0;

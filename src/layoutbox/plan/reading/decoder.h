@@ -191,6 +191,7 @@ class Decoder {
   bool names_own_carrier(int u) const;
   bool stands_otherwise(const State& state, int u, int member) const;
   bool lies_on_unplaced(const State& state, int u, int member) const;
+  bool is_led_to_wall(const State& state, int u, int member) const;
   bool is_one_of_several(int u) const;
   bool nothing_nearer(const State& state, std::size_t level) const;
   Referent side_ahead(int u, const PhraseSenses& senses) const;

@@ -34,7 +34,7 @@ double Decoder::attach_score(const State& state, int u, int level, bool inverse)
   if (!inverse && hangs_twice(state, u, member)) score += weight::kPlacedTwice;
   if (!inverse && lies_twice(state, u, member)) score += weight::kLiesTwice;
   if (!inverse && stands_otherwise(state, u, member)) score += weight::kLiesTwice;
-  if (!inverse && lies_on_unplaced(state, u, member)) score += weight::kSmallByPlace;
+  if (!inverse && (lies_on_unplaced(state, u, member) || is_led_to_wall(state, u, member))) score += weight::kSmallByPlace;
   if (!is_definite(state, member)) return score;
   if (inverse) return score + (is_thing(state, member) ? weight::kKnownHost : weight::kPlaceAsHost);
   if (member + 1 == u && unit(u).joiner == Joiner::kNone && is_one_of_several(member)) return score + weight::kTellsWhich;
@@ -130,6 +130,14 @@ bool Decoder::lies_on_unplaced(const State& state, int u, int member) const {
   if (host < 0 || is_placed_apart(state, host) || read_as(state, host).role != NounRole::kContent) return false;
   return carries_list(read_as(state, member).predicate) && mount_of(noun_of(state, member)) == Mount::kSurface &&
          mount_of(noun_of(state, host)) == Mount::kFloor && !says(unit(u).direct, &RelationTraits::rests);
+}
+
+// "a fireplace with a cauldron on the east wall": what has the other stands there, unless that one hangs.
+bool Decoder::is_led_to_wall(const State& state, int u, int member) const {
+  const Referent host = host_of(state, member);
+  if (unit(u).joiner != Joiner::kNone || !follows(u, UnitKind::kNoun) || chunk(u + 1).noun.kind != NounKind::kWall) return false;
+  if (!is_thing(state, host) || is_placed_apart(state, host)) return false;
+  return mount_of(noun_of(state, host)) == Mount::kFloor && mount_of(noun_of(state, member)) != Mount::kWall;
 }
 
 // "two bookshelves … the bookshelf nearest the door": what follows says which.

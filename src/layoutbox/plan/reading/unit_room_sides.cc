@@ -106,12 +106,15 @@ const PhraseSenses* UnitReader::end_of_room(std::size_t k) const {
   if (is(thing, ChunkKind::kNoun) && is(previous(thing), ChunkKind::kPurpose)) thing = previous(previous(thing));  // "a table for six at …"
   if (!is(thing, ChunkKind::kNoun) || chunk(thing).noun.kind != NounKind::kObject) return nullptr;
   thing = carrier_of(thing);
-  if (is(previous(thing), ChunkKind::kHave)) return nullptr;  // "a counter with a fridge at one end"
+  // "a counter with a fridge at one end", but "a hall with a bench at one end"
+  const std::size_t has = previous(thing);
+  const bool of_room = is(has, ChunkKind::kHave) && is(previous(has), ChunkKind::kNoun) && chunk(previous(has)).noun.kind == NounKind::kRoom;
+  if (is(has, ChunkKind::kHave) && !of_room) return nullptr;
   const CatalogEntry* entry = chunk(thing).noun.entry;
   constexpr Mm kDoor = 1500;  // an airlock is in a wall of the room
   const bool board = entry != nullptr && ((entry->is(Trait::kScreen) && (entry->mount == Mount::kWall || entry->is(Trait::kElseOnWall))) ||
                                           (entry->mount == Mount::kWall && entry->size.usual.height > kDoor));
-  const bool stands = mount_of(chunk(thing).noun) == Mount::kFloor && !is_seat(lexicon_.catalog(), chunk(thing).noun);
+  const bool stands = mount_of(chunk(thing).noun) == Mount::kFloor && (of_room || !is_seat(lexicon_.catalog(), chunk(thing).noun));
   return !board && !stands ? nullptr : other ? &kOther : end ? &kFar : &kOne;
 }
 
