@@ -47,6 +47,12 @@ class Furnisher {
   void add_wanted() {
     for (const SceneObject& object : scene_.objects) numbers_[object.category] = std::max(numbers_[object.category], number_of(object.id));
     for (const Wanted& wanted : document_.wanted) {
+      // Six who sleep have six beds and not the usual ones besides.
+      if (wanted.entry->is(Trait::kBed) && wanted.count > 1)
+        std::erase_if(scene_.objects, [&](const SceneObject& object) {
+          const CatalogEntry* own = catalog_.find(object.category);
+          return own != nullptr && own->is(Trait::kBed) && object.origin == Origin::kAssumed;
+        });
       const int there = static_cast<int>(std::ranges::count_if(
           scene_.objects, [&](const SceneObject& object) { return catalog_.is_a(object.category, wanted.entry->id); }));
       if (there < wanted.count && !excluded(wanted.entry->id)) add(*wanted.entry, wanted.count - there, Origin::kConcluded);

@@ -21,6 +21,7 @@ class TerseLists : public TokenReader {
     for (std::size_t i = 0; i < tokens_.size() && !is_set(document_.stop); ++i) {
       if (skip_[i]) continue;
       read_people(i);
+      part_ban(i);
       part_subject(i);
       part_from_host(i);
       part_from_pose(i);
@@ -55,6 +56,15 @@ class TerseLists : public TokenReader {
     document_.people = static_cast<int>(number.value);
     leave_out(i, breaks(last) ? last : last + 1);
     return true;
+  }
+
+  // "shower in the corner no tub, toilet": what is not wanted begins anew.
+  void part_ban(std::size_t i) {
+    if (!is(i, {"no"}) || opens(i) || begins(i)) return;
+    const std::string& before = tokens_[i - 1].text;
+    const bool noun = lexicon_.find(tokens_, i - 1, WordClass::kObject).length > 0 || lexicon_.find(tokens_, i - 1, WordClass::kRoom).length > 0 ||
+                      before == "corner" || before == "wall" || before == "window" || before == "door" || before == "middle";
+    if (noun && lexicon_.find(tokens_, i + 1, WordClass::kObject).length > 0) words_.push_back({i, comma_token()});
   }
 
   // "24 kids.", "there are seven of us", "16 seats total": nothing that is put into the room.

@@ -54,7 +54,7 @@ class WantReader : public UseRows {
   struct Frame {
     std::size_t first = 0, verb = 0;
     int people = 0;
-    bool of_list = false;  // holds only where several things are done
+    std::size_t least = 1;  // things that are done, of which something is known
   };
 
   // One thing that is done: "wash up", "sit at a desk".
@@ -65,11 +65,20 @@ class WantReader : public UseRows {
     std::size_t thing = 0;  // where furniture is named from which on all is kept; `end`: none is
   };
 
-  std::optional<Frame> frame_at(std::size_t i) const {
-    // "a kitchen can work for me: cooking, washing up": done, one after the other
-    if (is(i, {":"}) && i + 1 < tokens_.size() && tokens_[i + 1].text.ends_with("ing")) return Frame{i, i + 1, 0, true};
-    const bool opens = begins(i) || (i > 0 && is(i - 1, {",", ";", "and", "but", "because"}));
-    if (opens) return frame_of_clause(i);
+  std::optional<Frame> frame_at(std::size_t i) {
+    // "a kitchen can work for me: cooking, washing up", "a room for sleeping, drawing": done, one after the other
+    const bool led = is(i, {":"}) || (is(i, {"for"}) && i > 0 && is(i - 1, {"work", "room", "space", "place", "good", "right", "fit"}));
+    if (led && i + 1 < tokens_.size() && tokens_[i + 1].text.ends_with("ing")) return Frame{i, i + 1, 0, 2};
+    if (is(i, {"let", "lets"})) return frame_of_doers(i + 1, i);
+    const bool opens = begins(i) || (i > 0 && is(i - 1, {",", ";", ":", "and", "but", "because", "so"}));
+    if (opens) {
+      if (const std::optional<Frame> frame = frame_of_clause(i)) return frame;
+      if (!begins(i) && !is(i - 1, {":", ","})) return std::nullopt;
+      if (const std::optional<Frame> frame = names_any_furniture() ? std::nullopt : frame_of_doers(i, i)) return frame;
+      // "Sleep, cook simple stuff, eat with a guest."
+      if (begins(i) && tokens_[i].kind == Token::Kind::kWord && use_of_verb(i, 0)) return Frame{i, i, 0, 3};
+      return std::nullopt;
+    }
     // "a bathroom where I can bathe two toddlers"
     const bool room = i > 0 && (lexicon_.find(tokens_, i - 1, WordClass::kRoom).length > 0 || is(i - 1, {"room", "space", "house", "flat"}) ||
                                 one_of(tokens_[i - 1].text, WordSet::kSomewhere));
@@ -80,10 +89,28 @@ class WantReader : public UseRows {
     return frame;
   }
 
+  // "Six people sleep, eat and watch the football", "she does make up and studies".
+  std::optional<Frame> frame_of_doers(std::size_t at, std::size_t first) {
+    constexpr std::size_t kSubject = 3;  // words
+    Frame frame{first, 0, 0, 2};
+    for (std::size_t who = at; who < at + kSubject && !ends(who); ++who) {
+      if (const NumberRead number = read_number(lexicon_, tokens_, who); number.length > 0) frame.people = static_cast<int>(number.value);
+      if (!is_doer(who)) continue;
+      frame.verb = past_adverbs(who + 1);
+      return !ends(frame.verb) && use_of_verb(frame.verb, 0) ? std::optional(frame) : std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+  bool is_doer(std::size_t at) const {
+    return is(at, {"i", "we", "us", "they", "you", "he", "she", "people", "person", "everyone", "everybody", "someone", "somebody", "who"}) ||
+           lexicon_.is_person(tokens_[at].text) || lexicon_.is_person(singular(at));
+  }
+
   // "Two people should be able to …", "I want to …", "she likes to …".
   std::optional<Frame> frame_of_clause(std::size_t first) const {
-    constexpr std::size_t kSubject = 5;  // words
-    Frame frame{first, 0, 0, false};
+    constexpr std::size_t kSubject = 7;  // words
+    Frame frame{first, 0, 0, 1};
     std::size_t at = first;
     bool person = false;
     for (; at < first + kSubject && !ends(at); ++at) {
@@ -94,12 +121,10 @@ class WantReader : public UseRows {
       if (room > 0 || is(at, {"where"})) frame.first = at + room;  // "need a living room where they can climb"
       if (room == 0 && lexicon_.find(tokens_, at, WordClass::kObject).length > 0) return std::nullopt;  // "a table where we can eat"
       if (const NumberRead number = read_number(lexicon_, tokens_, at); number.length > 0) frame.people = static_cast<int>(number.value);
-      person |= is(at, {"i", "we", "they", "you", "he", "she", "people", "everyone", "everybody", "someone", "somebody", "who"}) ||
-                lexicon_.is_person(tokens_[at].text) || lexicon_.is_person(singular(at));
+      person |= is_doer(at);
     }
-    if (!person) return std::nullopt;
     const std::size_t wanting = wants_at(at);
-    if (wanting == 0) return std::nullopt;
+    if (wanting == 0 || (!person && !is(at + 1, {"be"}))) return std::nullopt;  // "Residents should be able to …"
     frame.verb = past_adverbs(at + wanting);
     if (is(frame.verb, {"not", "n't", "never", "no"})) return std::nullopt;
     return ends(frame.verb) ? std::nullopt : std::optional(frame);
@@ -184,6 +209,15 @@ class WantReader : public UseRows {
     return end;
   }
 
+  // "I write novels and drink tea; a desk, a lamp": what people do is told by the way then.
+  bool names_any_furniture() const {
+    for (std::size_t at = 0; at < tokens_.size(); ++at) {
+      const Meaning* thing = meaning_of(lexicon_.find(tokens_, at, WordClass::kObject), WordClass::kObject);
+      if (thing != nullptr && thing->entry != nullptr && thing->entry->mount == Mount::kFloor && !thing->entry->is(Trait::kPet)) return true;
+    }
+    return false;
+  }
+
   bool names_furniture(std::size_t at) const {
     const std::optional<NamedThing> thing = thing_named_at(at);
     return thing && thing->entry != nullptr && thing->entry->mount != Mount::kSurface && !thing->entry->is(Trait::kPet);
@@ -191,8 +225,14 @@ class WantReader : public UseRows {
 
   // The list goes on with what is there, or with what is put somewhere.
   bool stops_at(const Doing& doing) const {
-    if (doing.use) return names_furniture(doing.first) && doing.use_first > doing.first;
-    if (names_furniture(doing.first) || is(doing.first, {"with", "there", "in", "on", "by", "next", "a", "the", "no", "be"})) return true;
+    const bool names = is_article(doing.first) && thing_named_at(doing.first).has_value();
+    if (doing.use) return names && doing.use_first > doing.first;
+    constexpr std::size_t kLooks = 2;  // words: "big round table"
+    for (std::size_t at = doing.first; at < std::min(doing.first + kLooks + 1, doing.end); ++at) {
+      const Meaning* thing = meaning_of(lexicon_.find(tokens_, at, WordClass::kObject), WordClass::kObject);
+      if (thing != nullptr && thing->entry != nullptr && thing->entry->mount != Mount::kSurface) return true;
+    }
+    if (names || is(doing.first, {"with", "there", "in", "on", "by", "next", "a", "the", "no", "be"})) return true;
     const bool puts = is(doing.first, {"put", "place", "have", "keep", "leave", "add", "include", "move", "get", "fit", "set", "hang", "stand"});
     return puts && thing_named_at(doing.first + 1).has_value();
   }
@@ -211,8 +251,8 @@ class WantReader : public UseRows {
       if (tokens_[at - 1].ends_sentence || !parts(at)) break;
       while (at < tokens_.size() && parts(at) && !tokens_[at].ends_sentence) ++at;
     }
-    const bool sure = !doings.empty() && doings.front().use && !frame.of_list;
-    if (known < (sure ? 1U : 2U)) return 0;
+    const bool sure = !doings.empty() && doings.front().use;
+    if (known < std::max<std::size_t>(frame.least, sure ? 1 : 2)) return 0;
     if (document_.wanted_room.empty()) document_.wanted_room = here();
     for (const Doing& doing : doings) take(doing);
     leave_out_words(frame, doings);
