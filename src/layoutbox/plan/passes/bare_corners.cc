@@ -144,6 +144,49 @@ void complete_other_ends(const Lexicon& lexicon, Document& document, std::vector
   splice(document, skip, std::move(words));
 }
 
+// What stands on the floor and is no seat ends right before `at`.
+bool follows_furniture(const Lexicon& lexicon, const Document& document, std::size_t at) {
+  constexpr std::size_t kLongest = 3;  // words
+  for (std::size_t length = kLongest; length > 0; --length) {
+    if (length > at) continue;
+    std::vector<Token> name(document.tokens.begin() + static_cast<std::ptrdiff_t>(at - length),
+                            document.tokens.begin() + static_cast<std::ptrdiff_t>(at));
+    name.back().text = singular_of(name.back().text);
+    const Match thing = lexicon.find(name, 0, WordClass::kObject);
+    if (thing.length != length) continue;
+    return std::ranges::any_of(thing.meanings, [](const Meaning& m) {
+      return m.entry != nullptr && m.entry->mount == Mount::kFloor && !m.entry->is(Trait::kSeat) && !m.entry->is(Trait::kTableSeat);
+    });
+  }
+  return false;
+}
+
+// "two beds down each side", "a mower on the right-hand side": of the room.
+void complete_room_sides(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
+  std::vector<Splice> words;
+  std::vector<Token>& tokens = document.tokens;
+  const auto over = [&](std::size_t end) {
+    return end >= tokens.size() || tokens[end - 1].ends_sentence || tokens[end].kind == Token::Kind::kPunctuation ||
+           says_one_of(document, end, {"and", "with"});
+  };
+  for (std::size_t i = 1; i + 2 < tokens.size(); ++i) {
+    if (!says_one_of(document, i, {"down", "along", "on"}) || !follows_furniture(lexicon, document, i)) continue;
+    if (says_one_of(document, i, {"down", "along"}) && says_one_of(document, i + 1, {"each"}) && says_one_of(document, i + 2, {"side"}) &&
+        over(i + 3)) {
+      tokens[i].text = "along";
+      words.push_back({i + 3, word_token("wall")});
+      continue;
+    }
+    std::size_t side = i + 3;
+    if (says_one_of(document, side, {"-"})) ++side;
+    if (says_one_of(document, side, {"hand"})) ++side;
+    const bool hand = says_one_of(document, i + 2, {"left-hand", "right-hand"}) || side > i + 3;
+    if (!hand || !says_one_of(document, i + 1, {"the"}) || !says_one_of(document, side, {"side"}) || !over(side + 1)) continue;
+    for (const std::string_view word : {"of", "the", "room"}) words.push_back({side + 1, word_token(word)});
+  }
+  splice(document, skip, std::move(words));
+}
+
 // How many words before `it` begin a clause that tells of what is beside it: "and in front of it"; 0: none.
 std::size_t begins_by(const Document& document, std::size_t it) {
   constexpr std::size_t kLongest = 3;  // "in front of"
@@ -189,6 +232,7 @@ void complete_bare_corners(const Lexicon& lexicon, Document& document, std::vect
   part_things_from_it(lexicon, document, skip);
   place_corner_pieces(lexicon, document, skip);
   complete_other_ends(lexicon, document, skip);
+  complete_room_sides(lexicon, document, skip);
   std::vector<Splice> words;
   for (std::size_t i = 0; i + 1 < document.tokens.size(); ++i) {
     if (skip[i] || !names_corner(lexicon, document, i)) continue;

@@ -12,10 +12,9 @@ bool breaks(const Document& document, std::size_t at) {
   return document.tokens[at].kind == Token::Kind::kPunctuation && document.tokens[at].text != "+" && document.tokens[at].text != "&";
 }
 
-// "with four chairs each": where its "with" stands, or the place of "each" where it has none.
-std::size_t having_before(const Lexicon& lexicon, const Document& document, std::size_t each) {
-  constexpr std::size_t kLongest = 6;  // words
-  for (std::size_t at = each; at-- > 1 && each - at <= kLongest;) {
+// "with four chairs each": where its "with" stands, at most so many words before, or the place of "each" where it has none.
+std::size_t having_before(const Lexicon& lexicon, const Document& document, std::size_t each, std::size_t longest = 6) {
+  for (std::size_t at = each; at-- > 1 && each - at <= longest;) {
     if (breaks(document, at) || document.tokens[at].ends_sentence) break;
     if (!says_one_of(document, at, {"with", "having"})) continue;
     const std::string& before = document.tokens[at - 1].text;
@@ -58,6 +57,16 @@ std::size_t bare_list_before(const Lexicon& lexicon, const Document& document, s
   return several && ends && at > 0 && document.tokens[at].text == "," ? at + 1 : each;
 }
 
+// "four tables with six seats and a lamp on each": where the list of what each has begins; the place of "each": there is none.
+std::size_t shared_list_before(const Lexicon& lexicon, const Document& document, std::size_t each) {
+  constexpr std::size_t kLongest = 10;  // words
+  const bool over = each + 1 >= document.tokens.size() || document.tokens[each].ends_sentence || breaks(document, each + 1);
+  const std::size_t with = over ? having_before(lexicon, document, each, kLongest) : each;
+  bool several = false;
+  for (std::size_t at = with; at < each; ++at) several |= says_one_of(document, at, {"and", "+", "plus"});
+  return several ? with : each;
+}
+
 }  // namespace
 
 void read_each_after(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
@@ -69,6 +78,14 @@ void read_each_after(const Lexicon& lexicon, Document& document, std::vector<boo
       document.tokens[i].ends_sentence = false;
       move_before(document, skip, list, i, i + 1);
       words.push_back({list + 1, word_token("with")});
+      continue;
+    }
+    if (const std::size_t with = shared_list_before(lexicon, document, i); with < i) {
+      const bool on = says_one_of(document, i - 1, {"on", "at"});
+      if (on) skip[i - 1] = true;
+      document.tokens[i - (on ? 2 : 1)].ends_sentence |= document.tokens[i].ends_sentence;
+      document.tokens[i].ends_sentence = false;
+      move_before(document, skip, with, i, i + 1);
       continue;
     }
     if (document.tokens[i].ends_sentence || i + 1 >= document.tokens.size()) continue;

@@ -12,6 +12,11 @@ bool usually_at_wall(const NounPhrase& noun) {
   return noun.entry != nullptr && noun.entry->back_to_wall && !noun.entry->is(Trait::kCenterPiece);
 }
 
+// A board, a picture; not a TV, which stands as well.
+bool hangs_only(const NounPhrase& noun) {
+  return noun.entry != nullptr && noun.entry->mount == Mount::kWall && !noun.entry->is(Trait::kElseOnWall);
+}
+
 }  // namespace
 
 // "a bed and a desk against the wall": whether the former member is there as well; nothing speaks for it: below −5.
@@ -34,6 +39,8 @@ double Decoder::share_score(const State& state, int member, int u, Referent impl
   if (says(senses, RelationType::kRow) || says(senses, RelationType::kGrid) || says(senses, RelationType::kEvenlySpaced)) return 2;
   // "a shoe cabinet and a mirror over it": what stands on the floor is above nothing.
   if (says(senses, RelationType::kAbove) && mount_of(before) == Mount::kFloor && mount_of(noun) != Mount::kFloor) return -10;
+  // "a whiteboard and a coffee machine on a sideboard": what hangs on walls lies on nothing.
+  if (says(senses, &RelationTraits::rests) && hangs_only(before) && mount_of(noun) == Mount::kSurface) return -10;
   const NounPhrase& by = implied != kNobody ? noun_of(state, implied) : follows(u, UnitKind::kNoun) ? chunk(u + 1).noun : nothing_;
   // "a chair and a lamp for each desk"
   if (by.determiner == Determiner::kEach && chunk(u).kind == ChunkKind::kPurpose && joiner != Joiner::kComma) return weight::kShareVerb;
