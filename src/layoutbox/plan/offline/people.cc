@@ -56,11 +56,13 @@ class RoomPeople {
       if (at_each > 1) return;
       if (is_plain_table(*mention(host).noun.entry, *main)) become(host, *main);  // "a classroom for 24 with tables"
     } else if (host >= 0 && (persons > 0 || !seats_follow)) {
-      grow_seats(*needs, people);  // "a laboratory for 16 students with four benches, stools"
+      const bool some = mention(host).noun.plural && mention(host).noun.count == 0;
+      if (persons > 1 && some) builder_.grow(host, (people + persons - 1) / persons);  // "a daycare for 20 with small tables"
+      grow_seats(*needs, people);                                                      // "a laboratory for 16 students with four benches, stools"
       return;
     }
     if (host < 0) {
-      if (builder_.excluded(*main)) return;
+      if (builder_.excluded(*main) || seat_at_low_tables(*needs, people)) return;
       if (persons == 1 && seats_follow && seat_in_groups(*needs, people, *room)) return;
       const int count = persons > 0 ? (people + persons - 1) / persons : 1;
       host = builder_.add(*main, count, *room);
@@ -84,6 +86,17 @@ class RoomPeople {
     const int tables = builder_.add(*table, (people + together - 1) / together, room);
     const int seats = grow_seats(needs, people) ? named(*needs[1].first) : builder_.add(*needs[1].first, people, room);
     builder_.seat_at_table(seats, tables, false);
+    return true;
+  }
+
+  // "a Sunday school for ten: low tables, small chairs": they sit at these, and at no desks besides.
+  bool seat_at_low_tables(const Lexicon::Set& needs, int people) {
+    constexpr int kAtEach = 5;
+    const CatalogEntry* low = catalog_.find("kids_table");
+    const int tables = low == nullptr || !needs.front().first->is(Trait::kDeskLike) ? -1 : named(*low);
+    if (tables < 0 || !mention(tables).noun.plural) return false;
+    if (mention(tables).noun.count == 0) builder_.grow(tables, (people + kAtEach - 1) / kAtEach);
+    grow_seats(needs, people);
     return true;
   }
 
