@@ -95,20 +95,31 @@ class ZoneReader {
         at += part ? 2 : 1;
       }
     }
+    const std::size_t before = place == 0 ? place_before(c) : 0;
     // "in the reading corner a rug …", but "cushions in the reading corner, toy shelves along the window"
-    const bool fronted = c > 0 && is(c - 1, ChunkKind::kRelation) && !(c > 1 && is(c - 2, ChunkKind::kNoun));
+    const bool fronted = before == 0 && c > 0 && is(c - 1, ChunkKind::kRelation) && !(c > 1 && is(c - 2, ChunkKind::kNoun));
     read_members(zone, at, fronted);
     const ZoneUse* row = row_of(noun(c));
     if (row != nullptr) take_meaning(zone, *row);
     if (zone.items.empty() && row != nullptr && !fronted && is_brought_in(c)) furnish(zone, *row);
     if (zone.items.empty()) return;
-    if (place == 0) take_place_behind(zone);
-    const std::optional<RoomRegion> region = place > 0 ? region_at(place) : std::nullopt;
+    if (before > 0) place = before - 1;
+    if (place == 0 && before == 0) take_place_behind(zone);
+    const std::optional<RoomRegion> region = place > 0 || before > 0 ? region_at(place) : std::nullopt;
     if (region && std::ranges::any_of(zone.items, [&](int item) { return stands(item); }))
       put_in(zone, place, *region);
     else if (place > 0 && !std::ranges::any_of(zone.items, [&](int item) { return is_placed(item, zone.first); }))
       put(zone, place);
     document_.zones.push_back(std::move(zone));
+  }
+
+  // "At the back: a reading area with a rug": where the place stands that the sentence begins with, plus one; 0: it begins otherwise.
+  std::size_t place_before(std::size_t c) const {
+    std::size_t at = c;
+    if (at > 0 && is(at - 1, ChunkKind::kComma)) --at;
+    if (at > 1 && is(at - 1, ChunkKind::kNoun) && noun(at - 1).kind == NounKind::kRoom) --at;  // "of the room"
+    const bool place = at > 0 && is(at - 1, ChunkKind::kRelation) && (at == 1 || is(at - 2, ChunkKind::kStop));
+    return place && region_at(at - 1) ? at : 0;
   }
 
   // The list after "with", a colon, a bracket or a dash; of what the sentence begins with ("in the reading corner a …") the rest of it.
@@ -235,7 +246,7 @@ class ZoneReader {
 
   // "on the west side", "at the back": the half of the room that is meant; empty: another place.
   std::optional<RoomRegion> region_at(std::size_t place) const {
-    if (is(place + 1, ChunkKind::kNoun)) {
+    if (is(place + 1, ChunkKind::kNoun) && (is_part_of_room(noun(place + 1)) || !noun(place + 1).wall_word.empty())) {
       const NounPhrase& side = noun(place + 1);
       return side.kind == NounKind::kWall || side.kind == NounKind::kCorner ? std::nullopt : region_from_words(side.wall_word);
     }
