@@ -55,7 +55,11 @@ class Furnisher {
         });
       const int there = static_cast<int>(std::ranges::count_if(
           scene_.objects, [&](const SceneObject& object) { return catalog_.is_a(object.category, wanted.entry->id); }));
-      if (there < wanted.count && !excluded(wanted.entry->id)) add(*wanted.entry, wanted.count - there, Origin::kConcluded);
+      if (there >= wanted.count || excluded(wanted.entry->id)) continue;
+      add(*wanted.entry, wanted.count - there, Origin::kConcluded);
+      // Who cooks in a studio needs a sink and a fridge as well.
+      const RoomKind* kitchen = wanted.entry->id == "stove" && scene_.room.type != "kitchen" ? catalog_.find_room("kitchen") : nullptr;
+      if (kitchen != nullptr) furnish(*kitchen, false);
     }
   }
 

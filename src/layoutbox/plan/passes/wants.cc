@@ -8,6 +8,7 @@
 
 #include "layoutbox/plan/passes/use_rows.h"
 #include "layoutbox/plan/phrases/noun_phrase_parts.h"
+#include "layoutbox/plan/phrases/splice.h"
 #include "layoutbox/plan/words/english.h"
 
 namespace layoutbox::offline {
@@ -47,6 +48,8 @@ class WantReader : public UseRows {
       ++read;
       i = end - 1;
     }
+    std::ranges::stable_sort(words_, {}, &Splice::at);
+    splice(document_, skip_, std::move(words_));
   }
 
  private:
@@ -254,10 +257,21 @@ class WantReader : public UseRows {
     const bool sure = !doings.empty() && doings.front().use;
     if (known < std::max<std::size_t>(frame.least, sure ? 1 : 2)) return 0;
     if (document_.wanted_room.empty()) document_.wanted_room = here();
-    for (const Doing& doing : doings) take(doing);
+    for (const Doing& doing : doings) {
+      take(doing);
+      if (frame.people > 1 && doing.thing < doing.end) seat(doing.thing, frame.people);
+    }
     leave_out_words(frame, doings);
     if (document_.people == 0 && frame.people > 1) document_.people = frame.people;
     return doings.back().end;
+  }
+
+  // "let four people play at a table": a table for four.
+  void seat(std::size_t at, int people) {
+    const std::optional<NamedThing> thing = thing_named_at(at);
+    if (!thing || thing->entry == nullptr || !thing->entry->is(Trait::kTable) || thing->entry->is(Trait::kDesk) || is(thing->last, {"for"})) return;
+    words_.push_back({thing->last, word_token("for")});
+    words_.push_back({thing->last, number_token(people)});
   }
 
   void take(const Doing& doing) {
@@ -326,6 +340,7 @@ class WantReader : public UseRows {
   }
 
   Document& document_;
+  std::vector<Splice> words_;
 };
 
 }  // namespace
