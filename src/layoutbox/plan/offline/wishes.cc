@@ -20,6 +20,10 @@
 namespace layoutbox::offline {
 namespace {
 
+bool speaks_of_young(const Lexicon& lexicon, const Document& document) {
+  return std::ranges::any_of(document.tokens, [&](const Token& token) { return lexicon.is_young(singular_of(token.text)); });
+}
+
 class Furnisher {
  public:
   Furnisher(const Lexicon& lexicon, const Document& document, SceneGraph& scene)
@@ -28,10 +32,11 @@ class Furnisher {
         document_(document),
         scene_(scene),
         people_(document.people),
-        young_(document.young) {}
+        young_(document.young || speaks_of_young(lexicon, document)) {}
 
   void run() {
     count_people();
+    number_objects();
     find_kinds();
     const std::vector<const CatalogEntry*> named = things_within_purposes();
     std::string because = "no furniture is named";
@@ -43,9 +48,20 @@ class Furnisher {
     scene_.notes.push_back({"filled", because + ": the usual furniture of a " + kinds_.front()->name + " is taken", "prompt"});
   }
 
+  // Whether anything is asked for that such a room usually has; where no kind of room is known, anything.
+  bool names_usual() {
+    find_kinds();
+    if (kinds_.empty()) return true;
+    return std::ranges::any_of(scene_.objects, [&](const SceneObject& object) {
+      return object.asked() && std::ranges::any_of(kinds_.front()->usual, [&](const auto& usual) {
+               return catalog_.is_a(object.category, usual.first) || catalog_.is_a(usual.first, object.category);
+             });
+    });
+  }
+
   // What is done there needs them: "I want to cook and to eat".
   void add_wanted() {
-    for (const SceneObject& object : scene_.objects) numbers_[object.category] = std::max(numbers_[object.category], number_of(object.id));
+    number_objects();
     for (const Wanted& wanted : document_.wanted) {
       // Six who sleep have six beds and not the usual ones besides.
       if (wanted.entry->is(Trait::kBed) && wanted.count > 1)
@@ -94,10 +110,22 @@ class Furnisher {
     for (std::size_t i = 0; i < document_.tokens.size();) {
       const Match match = lexicon_.find(document_.tokens, i);
       if (const Meaning* room = meaning_of(match, WordClass::kRoom);
-          room != nullptr && !has(match, WordClass::kAbstract) && !has(match, WordClass::kOutsideRoom) && !names_opening(i + match.length))
+          room != nullptr && !has(match, WordClass::kAbstract) && !has(match, WordClass::kOutsideRoom) && !names_opening(i + match.length) &&
+          (kinds_.empty() || !names_owner(i)))
         add_kind(room->room);
       i += std::max<std::size_t>(match.length, 1);
     }
+  }
+
+  // "the waiting room of a small clinic": that is the whole house.
+  bool names_owner(std::size_t i) const {
+    constexpr std::size_t kLooks = 3;  // "of a small children's"
+    for (std::size_t back = 1; back <= std::min(i, kLooks + 2) && !document_.tokens[i - back].ends_sentence; ++back) {
+      const std::string& word = document_.tokens[i - back].text;
+      if (word == "of") return true;
+      if (document_.tokens[i - back].kind != Token::Kind::kWord || lexicon_.find_phrase(document_.tokens, i - back).length > 0) return false;
+    }
+    return false;
   }
 
   // "the bathroom door on the back wall": that room is next door.
@@ -115,6 +143,10 @@ class Furnisher {
 
   // "… to read on rainy days", "… for my grandmother", "… picking up mugs".
   void guess_kind(const std::vector<const CatalogEntry*>& named, std::string& because) {
+    if (!document_.wanted_room.empty()) {
+      because = "what one does there says what it is for";
+      return add_kind(catalog_.find_room(document_.wanted_room));
+    }
     // What one does there says more than who.
     for (const bool person : {false, true}) {
       for (std::size_t i = 0; i < document_.tokens.size(); ++i) {
@@ -125,10 +157,6 @@ class Furnisher {
         because = "\"" + words_between(document_, i, i + length) + "\" says what it is for";
         return add_kind(catalog_.find_room(room));
       }
-    }
-    if (!document_.wanted_room.empty()) {
-      because = "what one does there says what it is for";
-      return add_kind(catalog_.find_room(document_.wanted_room));
     }
     for (const CatalogEntry* entry : named) {
       if (entry->rooms.empty()) continue;
@@ -151,6 +179,11 @@ class Furnisher {
   bool excluded(const std::string& category) const {
     return std::any_of(document_.excluded.begin(), document_.excluded.end(),
                        [&](const NounPhrase& n) { return n.entry != nullptr && catalog_.is_a(category, n.entry->id); });
+  }
+
+  bool is_asked_for(const CatalogEntry& entry) const {
+    return std::ranges::any_of(scene_.objects,
+                               [&](const SceneObject& o) { return o.origin != Origin::kAssumed && catalog_.is_a(o.category, entry.id); });
   }
 
   // A breakfast bar is no worktop at the wall.
@@ -189,7 +222,8 @@ class Furnisher {
     for (const auto& [category, usual] : kind.usual) {
       const auto needed = needs.find(category);
       const CatalogEntry* entry = catalog_.find(category);
-      if (entry == nullptr || excluded(category) || (!whole && (taken >= kOfPart || is_there(*entry)))) continue;
+      if (entry == nullptr || excluded(category) || is_asked_for(*entry)) continue;
+      if (!whole && (taken >= kOfPart || is_there(*entry))) continue;
       const int count = needed != needs.end() ? needed->second : usual;
       const double floor = entry->mount == Mount::kFloor && !entry->thin ? area_of(entry->size.usual) * count : 0;
       const double with_seats = floor + (entry->is(Trait::kTable) ? seats_floor(kind, *entry) : 0);
@@ -212,6 +246,10 @@ class Furnisher {
       area += area_of(seat->size.usual) * count;
     }
     return area;
+  }
+
+  void number_objects() {
+    for (const SceneObject& object : scene_.objects) numbers_[object.category] = std::max(numbers_[object.category], number_of(object.id));
   }
 
   // "bed_2": 2
@@ -300,8 +338,7 @@ std::string kind_by_contents(const Lexicon& lexicon, const Document& document, c
       return std::ranges::any_of(kinds, [&](const std::string& kind) { return catalog.is_a(object.category, kind); });
     });
   };
-  const bool young = tells_age_of_child(document) ||
-                     std::ranges::any_of(document.tokens, [&](const Token& token) { return lexicon.is_young(singular_of(token.text)); });
+  const bool young = tells_age_of_child(document) || speaks_of_young(lexicon, document);
   const auto fits = [&](const RoomByContents& row) {
     const auto has = [&](const std::vector<std::string>& kinds) { return count(kinds) >= row.at_least; };
     return (young || !row.young) && std::ranges::all_of(row.has, has) && count(row.without) == 0;
@@ -363,7 +400,7 @@ void furnish_by_wish(const Lexicon& lexicon, const Document& document, SceneGrap
     scene.relations.clear();
   }
   if (scene.objects.empty() && wants_no_furniture(document)) return;
-  const bool only_wished = scene.objects.empty();
+  const bool only_wished = scene.objects.empty() || (!document.wanted.empty() && !Furnisher(lexicon, document, scene).names_usual());
   if (only_wished) Furnisher(lexicon, document, scene).run();
   Furnisher(lexicon, document, scene).add_wanted();
   if (only_wished) return;

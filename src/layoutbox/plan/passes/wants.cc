@@ -72,6 +72,8 @@ class WantReader : public UseRows {
     // "a kitchen can work for me: cooking, washing up", "a room for sleeping, drawing": done, one after the other
     const bool led = is(i, {":"}) || (is(i, {"for"}) && i > 0 && is(i - 1, {"work", "room", "space", "place", "good", "right", "fit"}));
     if (led && i + 1 < tokens_.size() && tokens_[i + 1].text.ends_with("ing")) return Frame{i, i + 1, 0, 2};
+    // "somewhere to open suitcases, hang clothes, make a coffee"
+    if (one_of(tokens_[i].text, WordSet::kSomewhere) && is(i + 1, {"to"}) && !ends(i + 2) && use_of_verb(i + 2, 0)) return Frame{i, i + 2, 0, 2};
     if (is(i, {"let", "lets"})) return frame_of_doers(i + 1, i);
     const bool opens = begins(i) || (i > 0 && is(i - 1, {",", ";", ":", "and", "but", "because", "so"}));
     if (opens) {
@@ -112,7 +114,7 @@ class WantReader : public UseRows {
 
   // "Two people should be able to …", "I want to …", "she likes to …".
   std::optional<Frame> frame_of_clause(std::size_t first) const {
-    constexpr std::size_t kSubject = 7;  // words
+    constexpr std::size_t kSubject = 9;  // words
     Frame frame{first, 0, 0, 1};
     std::size_t at = first;
     bool person = false;
@@ -124,7 +126,8 @@ class WantReader : public UseRows {
       if (room > 0 || is(at, {"where"})) frame.first = at + room;  // "need a living room where they can climb"
       if (room == 0 && lexicon_.find(tokens_, at, WordClass::kObject).length > 0) return std::nullopt;  // "a table where we can eat"
       if (const NumberRead number = read_number(lexicon_, tokens_, at); number.length > 0) frame.people = static_cast<int>(number.value);
-      person |= is_doer(at);
+      if (is(at, {"both"})) frame.people = 2;
+      person |= is_doer(at) || is(at, {"both"});
     }
     const std::size_t wanting = wants_at(at);
     if (wanting == 0 || (!person && !is(at + 1, {"be"}))) return std::nullopt;  // "Residents should be able to …"

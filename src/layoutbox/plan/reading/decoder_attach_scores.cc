@@ -34,7 +34,8 @@ double Decoder::attach_score(const State& state, int u, int level, bool inverse)
   if (!inverse && hangs_twice(state, u, member)) score += weight::kPlacedTwice;
   if (!inverse && lies_twice(state, u, member)) score += weight::kLiesTwice;
   if (!inverse && stands_otherwise(state, u, member)) score += weight::kLiesTwice;
-  if (!inverse && (lies_on_unplaced(state, u, member) || is_led_to_wall(state, u, member))) score += weight::kSmallByPlace;
+  if (!inverse && lies_on_unplaced(state, u, member)) score += weight::kSmallByPlace;
+  if (!inverse && is_led_to_wall(state, u, member)) score += (read_as(state, member).former >= 0 ? 2 : 1) * weight::kSmallByPlace;
   if (!is_definite(state, member)) return score;
   if (inverse) return score + (is_thing(state, member) ? weight::kKnownHost : weight::kPlaceAsHost);
   if (member + 1 == u && unit(u).joiner == Joiner::kNone && is_one_of_several(member)) return score + weight::kTellsWhich;
@@ -132,12 +133,16 @@ bool Decoder::lies_on_unplaced(const State& state, int u, int member) const {
          mount_of(noun_of(state, host)) == Mount::kFloor && !says(unit(u).direct, &RelationTraits::rests);
 }
 
-// "a fireplace with a cauldron on the east wall": what has the other stands there, unless that one hangs.
+// "a fireplace with a cauldron on the east wall", "an armchair with a footstool near the window": what has the other stands there, unless
+// that one hangs.
 bool Decoder::is_led_to_wall(const State& state, int u, int member) const {
   const Referent host = host_of(state, member);
-  if (unit(u).joiner != Joiner::kNone || !follows(u, UnitKind::kNoun) || chunk(u + 1).noun.kind != NounKind::kWall) return false;
+  if (unit(u).joiner != Joiner::kNone || !follows(u, UnitKind::kNoun)) return false;
+  const NounKind where = chunk(u + 1).noun.kind;
+  if (where != NounKind::kWall && where != NounKind::kCorner && where != NounKind::kWindow && where != NounKind::kDoor) return false;
   if (!is_thing(state, host) || is_placed_apart(state, host)) return false;
-  return mount_of(noun_of(state, host)) == Mount::kFloor && mount_of(noun_of(state, member)) != Mount::kWall;
+  if (where == NounKind::kCorner && several(state, host)) return false;  // "two armchairs with a table in the corner"
+  return mount_of(noun_of(state, host)) == Mount::kFloor && (where == NounKind::kCorner || mount_of(noun_of(state, member)) != Mount::kWall);
 }
 
 // "two bookshelves … the bookshelf nearest the door": what follows says which.
