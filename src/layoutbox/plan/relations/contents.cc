@@ -75,7 +75,8 @@ std::vector<int> RelationBuilder::carriers_among(const Link& link, int m, std::v
   const auto is_for_sitting = [&](const NounPhrase& noun) {
     return is_seat(catalog_, noun) || (noun.entry != nullptr && noun.entry->is(Trait::kBed));
   };
-  if (mount_of(thing) != Mount::kSurface || thing.entry == nullptr || host.entry == nullptr || !is_for_sitting(host)) return hosts;
+  if (thing.entry == nullptr || host.entry == nullptr || !is_for_sitting(host)) return hosts;
+  if (mount_of(thing) != Mount::kSurface && thing.entry->stands_on.empty()) return hosts;
   const auto lies_there = [&](const std::string& kind) { return catalog_.is_a(host.entry->id, kind); };  // a pillow
   if (std::ranges::any_of(thing.entry->stands_on, lies_there)) return hosts;
   for (const int t : link.targets) {
