@@ -121,7 +121,9 @@ void place_corner_pieces(const Lexicon& lexicon, Document& document, std::vector
                        lexicon.is(tokens[i - 1], WordClass::kSizeWord) || says_one_of(document, i - 1, {"with"});
     const bool over = end >= tokens.size() || tokens[end - 1].ends_sentence || tokens[end].kind == Token::Kind::kPunctuation ||
                       lexicon.is(tokens[end], WordClass::kAnd);
+    const bool told = i > 1 && (says_one_of(document, i - 2, {"is", "are"}) || lexicon.is(tokens[i - 2], WordClass::kPlaceVerb));
     if (thing.length == 0 || !std::ranges::any_of(thing.meanings, stands) || !leads || !over) continue;
+    if (told) continue;  // "Next to the sofa is a corner table, …"
     skip[i] = whole.length <= 1;
     for (const std::string_view word : {"in", "the", "corner"}) words.push_back({end, word_token(word)});
   }
