@@ -58,7 +58,7 @@ class RoomPeople {
     } else if (host >= 0 && (persons > 0 || !seats_follow)) {
       const bool some = mention(host).noun.plural && mention(host).noun.count == 0;
       if (persons > 1 && some) builder_.grow(host, (people + persons - 1) / persons);  // "a daycare for 20 with small tables"
-      grow_seats(*needs, people);                                                      // "a laboratory for 16 students with four benches, stools"
+      grow_seats(*needs, people);  // "a laboratory for 16 students with four benches, stools"
       return;
     }
     if (host < 0) {

@@ -110,8 +110,8 @@ class Furnisher {
     for (std::size_t i = 0; i < document_.tokens.size();) {
       const Match match = lexicon_.find(document_.tokens, i);
       if (const Meaning* room = meaning_of(match, WordClass::kRoom);
-          room != nullptr && !has(match, WordClass::kAbstract) && !has(match, WordClass::kOutsideRoom) && !names_opening(i + match.length) &&
-          (kinds_.empty() || !names_owner(i)))
+          room != nullptr && !has(match, WordClass::kAbstract) && !has(match, WordClass::kOutsideRoom) &&
+          !names_opening(i + match.length) && (kinds_.empty() || !names_owner(i)))
         add_kind(room->room);
       i += std::max<std::size_t>(match.length, 1);
     }
@@ -123,7 +123,8 @@ class Furnisher {
     for (std::size_t back = 1; back <= std::min(i, kLooks + 2) && !document_.tokens[i - back].ends_sentence; ++back) {
       const std::string& word = document_.tokens[i - back].text;
       if (word == "of") return true;
-      if (document_.tokens[i - back].kind != Token::Kind::kWord || lexicon_.find_phrase(document_.tokens, i - back).length > 0) return false;
+      if (document_.tokens[i - back].kind != Token::Kind::kWord || lexicon_.find_phrase(document_.tokens, i - back).length > 0)
+        return false;
     }
     return false;
   }

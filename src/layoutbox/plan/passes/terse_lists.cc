@@ -62,8 +62,9 @@ class TerseLists : public TokenReader {
   void part_ban(std::size_t i) {
     if (!is(i, {"no"}) || opens(i) || begins(i)) return;
     const std::string& before = tokens_[i - 1].text;
-    const bool noun = lexicon_.find(tokens_, i - 1, WordClass::kObject).length > 0 || lexicon_.find(tokens_, i - 1, WordClass::kRoom).length > 0 ||
-                      before == "corner" || before == "wall" || before == "window" || before == "door" || before == "middle";
+    const bool noun = lexicon_.find(tokens_, i - 1, WordClass::kObject).length > 0 ||
+                      lexicon_.find(tokens_, i - 1, WordClass::kRoom).length > 0 || before == "corner" || before == "wall" ||
+                      before == "window" || before == "door" || before == "middle";
     if (noun && lexicon_.find(tokens_, i + 1, WordClass::kObject).length > 0) words_.push_back({i, comma_token()});
   }
 

@@ -7,8 +7,8 @@
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/trait_table.h"
-#include "layoutbox/plan/phrases/noun_phrase_parts.h"
 #include "layoutbox/plan/passes/use_rows.h"
+#include "layoutbox/plan/phrases/noun_phrase_parts.h"
 
 namespace layoutbox::offline {
 namespace {
@@ -199,7 +199,6 @@ class UseReader : public UseRows {
     tokens_[at].text = word;
     tokens_[at].kind = Token::Kind::kWord;
   }
-
 };
 
 }  // namespace

@@ -73,7 +73,8 @@ class WantReader : public UseRows {
     const bool led = is(i, {":"}) || (is(i, {"for"}) && i > 0 && is(i - 1, {"work", "room", "space", "place", "good", "right", "fit"}));
     if (led && i + 1 < tokens_.size() && tokens_[i + 1].text.ends_with("ing")) return Frame{i, i + 1, 0, 2};
     // "somewhere to open suitcases, hang clothes, make a coffee"
-    if (one_of(tokens_[i].text, WordSet::kSomewhere) && is(i + 1, {"to"}) && !ends(i + 2) && use_of_verb(i + 2, 0)) return Frame{i, i + 2, 0, 2};
+    if (one_of(tokens_[i].text, WordSet::kSomewhere) && is(i + 1, {"to"}) && !ends(i + 2) && use_of_verb(i + 2, 0))
+      return Frame{i, i + 2, 0, 2};
     if (is(i, {"let", "lets"})) return frame_of_doers(i + 1, i);
     const bool opens = begins(i) || (i > 0 && is(i - 1, {",", ";", ":", "and", "but", "because", "so"}));
     if (opens) {
@@ -85,8 +86,8 @@ class WantReader : public UseRows {
       return std::nullopt;
     }
     // "a bathroom where I can bathe two toddlers"
-    const bool room = i > 0 && (lexicon_.find(tokens_, i - 1, WordClass::kRoom).length > 0 || is(i - 1, {"room", "space", "house", "flat"}) ||
-                                one_of(tokens_[i - 1].text, WordSet::kSomewhere));
+    const bool room = i > 0 && (lexicon_.find(tokens_, i - 1, WordClass::kRoom).length > 0 ||
+                                is(i - 1, {"room", "space", "house", "flat"}) || one_of(tokens_[i - 1].text, WordSet::kSomewhere));
     if (!room) return std::nullopt;
     const std::size_t who = is(i, {"where", "that", "which", "so"}) ? i + 1 : i;
     std::optional<Frame> frame = frame_of_clause(who);
@@ -108,7 +109,8 @@ class WantReader : public UseRows {
   }
 
   bool is_doer(std::size_t at) const {
-    return is(at, {"i", "we", "us", "they", "you", "he", "she", "people", "person", "everyone", "everybody", "someone", "somebody", "who"}) ||
+    return is(at,
+              {"i", "we", "us", "they", "you", "he", "she", "people", "person", "everyone", "everybody", "someone", "somebody", "who"}) ||
            lexicon_.is_person(tokens_[at].text) || lexicon_.is_person(singular(at));
   }
 
@@ -121,8 +123,8 @@ class WantReader : public UseRows {
     for (; at < first + kSubject && !ends(at); ++at) {
       if (wants_at(at) != 0) break;
       if (is(at, {"not", "n't", "never", "no", "nobody", "without", "hardly", "don't", "can't"})) return std::nullopt;
-      const std::size_t room = std::max<std::size_t>(lexicon_.find(tokens_, at, WordClass::kRoom).length,
-                                                     one_of(tokens_[at].text, WordSet::kSomewhere) ? 1 : 0);
+      const std::size_t room =
+          std::max<std::size_t>(lexicon_.find(tokens_, at, WordClass::kRoom).length, one_of(tokens_[at].text, WordSet::kSomewhere) ? 1 : 0);
       if (room > 0 || is(at, {"where"})) frame.first = at + room;  // "need a living room where they can climb"
       if (room == 0 && lexicon_.find(tokens_, at, WordClass::kObject).length > 0) return std::nullopt;  // "a table where we can eat"
       if (const NumberRead number = read_number(lexicon_, tokens_, at); number.length > 0) frame.people = static_cast<int>(number.value);
@@ -146,7 +148,8 @@ class WantReader : public UseRows {
     std::size_t next = at;
     if (is(next, {"would", "'d", "do", "also", "still", "just"})) ++next;
     if (is(next, {"also", "still", "just", "really"})) ++next;
-    if (is(next, {"need", "needs", "want", "wants", "like", "likes", "love", "loves", "have", "has", "hope", "wish"}) && is(next + 1, {"to"}))
+    if (is(next, {"need", "needs", "want", "wants", "like", "likes", "love", "loves", "have", "has", "hope", "wish"}) &&
+        is(next + 1, {"to"}))
       return next + 2 - at + able_at(next + 2);
     if (!is(at, {"should", "must", "can", "could", "may", "might", "will", "would"})) return 0;
     next = at + 1;
@@ -163,7 +166,8 @@ class WantReader : public UseRows {
   std::size_t past_adverbs(std::size_t at) const {
     constexpr std::size_t kMost = 3;
     for (std::size_t taken = 0; taken < kMost; ++taken) {
-      if (!is(at, {"also", "both", "all", "still", "just", "easily", "comfortably", "properly", "to", "then", "even", "sometimes", "now"})) break;
+      if (!is(at, {"also", "both", "all", "still", "just", "easily", "comfortably", "properly", "to", "then", "even", "sometimes", "now"}))
+        break;
       ++at;
     }
     return at;
@@ -219,7 +223,8 @@ class WantReader : public UseRows {
   bool names_any_furniture() const {
     for (std::size_t at = 0; at < tokens_.size(); ++at) {
       const Meaning* thing = meaning_of(lexicon_.find(tokens_, at, WordClass::kObject), WordClass::kObject);
-      if (thing != nullptr && thing->entry != nullptr && thing->entry->mount == Mount::kFloor && !thing->entry->is(Trait::kPet)) return true;
+      if (thing != nullptr && thing->entry != nullptr && thing->entry->mount == Mount::kFloor && !thing->entry->is(Trait::kPet))
+        return true;
     }
     return false;
   }
@@ -239,7 +244,8 @@ class WantReader : public UseRows {
       if (thing != nullptr && thing->entry != nullptr && thing->entry->mount != Mount::kSurface) return true;
     }
     if (names || is(doing.first, {"with", "there", "in", "on", "by", "next", "a", "the", "no", "be"})) return true;
-    const bool puts = is(doing.first, {"put", "place", "have", "keep", "leave", "add", "include", "move", "get", "fit", "set", "hang", "stand"});
+    const bool puts =
+        is(doing.first, {"put", "place", "have", "keep", "leave", "add", "include", "move", "get", "fit", "set", "hang", "stand"});
     return puts && thing_named_at(doing.first + 1).has_value();
   }
 
@@ -272,7 +278,8 @@ class WantReader : public UseRows {
   // "let four people play at a table": a table for four.
   void seat(std::size_t at, int people) {
     const std::optional<NamedThing> thing = thing_named_at(at);
-    if (!thing || thing->entry == nullptr || !thing->entry->is(Trait::kTable) || thing->entry->is(Trait::kDesk) || is(thing->last, {"for"})) return;
+    if (!thing || thing->entry == nullptr || !thing->entry->is(Trait::kTable) || thing->entry->is(Trait::kDesk) || is(thing->last, {"for"}))
+      return;
     words_.push_back({thing->last, word_token("for")});
     words_.push_back({thing->last, number_token(people)});
   }
@@ -328,8 +335,8 @@ class WantReader : public UseRows {
         from = comma;
       }
       leave_out(from, doing.thing);
-      const bool joined = !kept && from > 0 && !begins(from) && tokens_[from - 1].kind != Token::Kind::kPunctuation &&
-                          !is(from - 1, {"and"});
+      const bool joined =
+          !kept && from > 0 && !begins(from) && tokens_[from - 1].kind != Token::Kind::kPunctuation && !is(from - 1, {"and"});
       if (joined && doing.thing > from) {  // "a living room where I can watch tv on a sofa"
         Token& comma_before = tokens_[doing.thing - 1];
         comma_before.text = ",";

@@ -119,8 +119,8 @@ struct Document {
   std::vector<CoordinatesSaid> coordinates;
   std::vector<Wanted> wanted;
   std::string wanted_room;  // the kind of room in which that is done; empty: nothing is wanted
-  int people = 0;      // "an office for three": for how many the room is; 0: not said
-  bool young = false;  // … children
+  int people = 0;           // "an office for three": for how many the room is; 0: not said
+  bool young = false;       // … children
   int groups = 0;
   StopFlag stop = nullptr;
 };

@@ -142,7 +142,8 @@ bool Decoder::is_led_to_wall(const State& state, int u, int member) const {
   if (where != NounKind::kWall && where != NounKind::kCorner && where != NounKind::kWindow && where != NounKind::kDoor) return false;
   if (!is_thing(state, host) || is_placed_apart(state, host)) return false;
   if (where == NounKind::kCorner && several(state, host)) return false;  // "two armchairs with a table in the corner"
-  return mount_of(noun_of(state, host)) == Mount::kFloor && (where == NounKind::kCorner || mount_of(noun_of(state, member)) != Mount::kWall);
+  return mount_of(noun_of(state, host)) == Mount::kFloor &&
+         (where == NounKind::kCorner || mount_of(noun_of(state, member)) != Mount::kWall);
 }
 
 // "two bookshelves … the bookshelf nearest the door": what follows says which.

@@ -108,7 +108,8 @@ const PhraseSenses* UnitReader::end_of_room(std::size_t k) const {
   thing = carrier_of(thing);
   // "a counter with a fridge at one end", but "a hall with a bench at one end"
   const std::size_t has = previous(thing);
-  const bool of_room = is(has, ChunkKind::kHave) && is(previous(has), ChunkKind::kNoun) && chunk(previous(has)).noun.kind == NounKind::kRoom;
+  const bool of_room =
+      is(has, ChunkKind::kHave) && is(previous(has), ChunkKind::kNoun) && chunk(previous(has)).noun.kind == NounKind::kRoom;
   if (is(has, ChunkKind::kHave) && !of_room) return nullptr;
   const CatalogEntry* entry = chunk(thing).noun.entry;
   constexpr Mm kDoor = 1500;  // an airlock is in a wall of the room

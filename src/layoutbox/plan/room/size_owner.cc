@@ -47,7 +47,8 @@ bool SizeOwner::speaks_of_room(std::size_t first, std::size_t last, const std::v
   const std::vector<Named> named = named_in(begin, first);
   for (const Named& name : std::views::reverse(named)) {
     if (has_class(name.match, WordClass::kRoom) || has_class(name.match, WordClass::kRoomNoun)) return !fits_thing_before(name.at, sides);
-    if (name.at > begin && (tokens_[name.at - 1].text == "no" || tokens_[name.at - 1].text == "without")) continue;  // "no car, 5.5 x 2.8 m"
+    if (name.at > begin && (tokens_[name.at - 1].text == "no" || tokens_[name.at - 1].text == "without"))
+      continue;  // "no car, 5.5 x 2.8 m"
     const Meaning* thing = meaning_of(name.match, WordClass::kObject);
     if (thing != nullptr && thing->entry != nullptr && thing->entry->mount == Mount::kCeiling)
       continue;                                                                  // "a sloping ceiling, 3 m wide and …"
