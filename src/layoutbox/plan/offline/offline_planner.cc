@@ -9,6 +9,7 @@
 #include "layoutbox/plan/offline/languages.h"
 #include "layoutbox/plan/offline/left_out.h"
 #include "layoutbox/plan/offline/people.h"
+#include "layoutbox/plan/offline/room_by_contents.h"
 #include "layoutbox/plan/offline/text_passes.h"
 #include "layoutbox/plan/offline/wishes.h"
 #include "layoutbox/plan/passes/bans.h"

@@ -235,13 +235,6 @@ void part_tables(const Lexicon& lexicon, Document& document, std::vector<bool>& 
   const auto number = [&](std::size_t i) {
     return i < tokens.size() && (tokens[i].kind == Token::Kind::kNumber || lexicon.is(tokens[i], WordClass::kNumber));
   };
-  // "a two-seater table", which of a sofa is its kind: "a table for two"
-  for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
-    if (!is_word(tokens[i], {"two-seater", "2-seater", "two-seat", "2-seat"}) || !is_word(tokens[i + 1], {"table", "tables"})) continue;
-    skip[i] = true;
-    splices.push_back({i + 2, word_token("for")});
-    splices.push_back({i + 2, word_token("two")});
-  }
   for (std::size_t i = 0; i + 4 < tokens.size(); ++i) {
     if (tokens[i].text != "tables" || tokens[i + 1].text != "for" || !number(i + 2) || !is_word(tokens[i + 3], {"and", "or"}) ||
         !number(i + 4))

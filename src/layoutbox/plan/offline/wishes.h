@@ -5,9 +5,6 @@
 
 namespace layoutbox::offline {
 
-// A room of no named kind with a bed is a bedroom, with a stove a kitchen …: what the things that are named say for certain.
-void name_room_by_contents(const Lexicon& lexicon, const Document& document, SceneGraph& scene);
-
 // Furnishes a scene without objects: with what is usual in the kinds of room that the text names; where it names none, in the one that
 // its activities, people or things suggest ("somewhere to relax", "for a robot to practise picking up mugs"). What it names within a
 // purpose is there as well. Marked as assumed, with a note; the scene stays as it is where the text hints at no room.

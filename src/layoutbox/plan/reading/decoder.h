@@ -151,6 +151,7 @@ class Decoder {
   void cut_frontier(State& state, int unit) const;
 
   double attach_score(const State& state, int u, int level, bool inverse) const;
+  double likely_place_score(const State& state, int u, int member) const;
   double share_score(const State& state, int member, int u, Referent implied = kNobody) const;
   double share_kind_score(const State& state, int member, int u, Referent implied, const NounPhrase& by) const;
   bool is_pair(const State& state, int member, int u) const;

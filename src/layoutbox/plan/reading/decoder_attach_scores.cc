@@ -31,15 +31,22 @@ double Decoder::attach_score(const State& state, int u, int level, bool inverse)
   if (nearer == 0 && unit(u).joiner == Joiner::kNone && names_own_carrier(u)) score += weight::kOwnCarrier;
   if (level > 0 && finite_place(u)) score += finite_score(state, u, member, steps);
   if (word(u) == "from" && level > 0) score += weight::kFromRoot;
-  if (!inverse && hangs_twice(state, u, member)) score += weight::kPlacedTwice;
-  if (!inverse && lies_twice(state, u, member)) score += weight::kLiesTwice;
-  if (!inverse && stands_otherwise(state, u, member)) score += weight::kLiesTwice;
-  if (!inverse && lies_on_unplaced(state, u, member)) score += weight::kSmallByPlace;
-  if (!inverse && is_led_to_wall(state, u, member)) score += (read_as(state, member).former >= 0 ? 2 : 1) * weight::kSmallByPlace;
+  if (!inverse) score += likely_place_score(state, u, member);
   if (!is_definite(state, member)) return score;
   if (inverse) return score + (is_thing(state, member) ? weight::kKnownHost : weight::kPlaceAsHost);
   if (member + 1 == u && unit(u).joiner == Joiner::kNone && is_one_of_several(member)) return score + weight::kTellsWhich;
   score += is_known(state, member) ? weight::kKnownSubject : weight::kDefiniteSubject;
+  return score;
+}
+
+// … by where such a thing can be: what hangs or lies somewhere already does not do so twice.
+double Decoder::likely_place_score(const State& state, int u, int member) const {
+  double score = 0;
+  if (hangs_twice(state, u, member)) score += weight::kPlacedTwice;
+  if (lies_twice(state, u, member)) score += weight::kLiesTwice;
+  if (stands_otherwise(state, u, member)) score += weight::kLiesTwice;
+  if (lies_on_unplaced(state, u, member)) score += weight::kSmallByPlace;
+  if (is_led_to_wall(state, u, member)) score += (read_as(state, member).former >= 0 ? 2 : 1) * weight::kSmallByPlace;
   return score;
 }
 

@@ -3,6 +3,7 @@
 
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/relations/relation_builder_parts.h"
+#include "layoutbox/scene/relation_traits.h"
 #include "layoutbox/plan/words/word_sets.h"
 
 namespace layoutbox::offline {
