@@ -39,22 +39,9 @@ class RoomPeople {
     if (share_tables(people)) return;
     int host = named(*main);
     // "an office for twelve with plants between the desks": twelve of them.
-    const bool rows = host >= 0 && mention(host).noun.rows > 0 && mention(host).noun.vague;
+    const bool rows = host >= 0 && vague_rows(host);
     if (host >= 0 && persons == 1 && mention(host).noun.plural && (mention(host).noun.count == 0 || rows)) {
-      const auto [seats, told_each] = seats_of_each(host);
-      // "tables in groups of four", "double desks", "long shared tables"
-      const int at_each =
-          std::max({mention(host).noun.seats, builder_.seats_said(mention(host)), told_each, is_shared(host, *main) ? kAtShared : 1});
-      const std::vector<int> before = mention(host).items;
-      builder_.grow(host, (people + at_each - 1) / at_each);
-      if (told_each > 1) builder_.grow(seats, static_cast<int>(mention(host).items.size()) * told_each);
-      grow_contents({host}, before);
-      constexpr int kMostInRow = 12;
-      if (rows && people > kMostInRow * mention(host).noun.rows) mention(host).noun.rows = 0;  // as many rows as there is room for
-      if (one_of(mention(host).noun.head, WordSet::kPlainSeats)) become(host, *main);
-      if (is_shared(host, *main)) mention(host).noun.seats = at_each;
-      if (at_each > 1) return;
-      if (is_plain_table(*mention(host).noun.entry, *main)) become(host, *main);  // "a classroom for 24 with tables"
+      if (grow_hosts(host, *main, people)) return;
     } else if (host >= 0 && (persons > 0 || !seats_follow)) {
       const bool some = mention(host).noun.plural && mention(host).noun.count == 0;
       if (persons > 1 && some) builder_.grow(host, (people + persons - 1) / persons);  // "a daycare for 20 with small tables"
@@ -76,6 +63,31 @@ class RoomPeople {
 
  private:
   Mention& mention(int m) { return builder_.mention(m); }
+
+  // As many desks or tables of those that are named as people need; whether several sit at each.
+  bool grow_hosts(int host, const CatalogEntry& main, int people) {
+    const auto [seats, told_each] = seats_of_each(host);
+    // "tables in groups of four", "double desks", "long shared tables"
+    const int at_each =
+        std::max({mention(host).noun.seats, builder_.seats_said(mention(host)), told_each, is_shared(host, main) ? kAtShared : 1});
+    const std::vector<int> before = mention(host).items;
+    builder_.grow(host, (people + at_each - 1) / at_each);
+    if (told_each > 1) builder_.grow(seats, static_cast<int>(mention(host).items.size()) * told_each);
+    grow_contents({host}, before);
+    constexpr int kMostInRow = 12;
+    if (vague_rows(host) && people > kMostInRow * mention(host).noun.rows)
+      mention(host).noun.rows = 0;  // as many rows as there is room for
+    if (one_of(mention(host).noun.head, WordSet::kPlainSeats)) become(host, main);
+    if (is_shared(host, main)) mention(host).noun.seats = at_each;
+    if (at_each == 1 && is_plain_table(*mention(host).noun.entry, main)) become(host, main);  // "a classroom for 24 with tables"
+    return at_each > 1;
+  }
+
+  // "in rows", of so many as there is room for
+  bool vague_rows(int host) const {
+    const NounPhrase& noun = document_.mentions[static_cast<std::size_t>(host)].noun;
+    return noun.rows > 0 && noun.vague;
+  }
 
   // "for 24 pupils in six groups of four": a table for each group, with the seats round it. False: nobody speaks of groups.
   bool seat_in_groups(const Lexicon::Set& needs, int people, const NounPhrase& room) {

@@ -36,7 +36,11 @@ std::optional<WantFrames::Frame> WantFrames::frame_at(std::size_t i) {
   // "somewhere to open suitcases, hang clothes, make a coffee"
   if (one_of(tokens_[i].text, WordSet::kSomewhere) && is(i + 1, {"to"}) && !ends(i + 2) && use_of_verb(i + 2, 0))
     return Frame{i, i + 2, 0, 2};
-  if (is(i, {"let", "lets"})) return frame_of_doers(i + 1, i);
+  if (is(i, {"let", "lets"})) {
+    std::optional<Frame> frame = frame_of_doers(i + 1, i);
+    if (frame) frame->least = 1;
+    return frame;
+  }
   const bool opens = begins(i) || (i > 0 && is(i - 1, {",", ";", ":", "and", "but", "because", "so"}));
   if (opens) {
     if (const std::optional<Frame> frame = frame_of_clause(i)) return frame;

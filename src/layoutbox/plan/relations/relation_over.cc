@@ -3,8 +3,8 @@
 
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/relations/relation_builder_parts.h"
-#include "layoutbox/scene/relation_traits.h"
 #include "layoutbox/plan/words/word_sets.h"
+#include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox::offline {
 
