@@ -44,7 +44,7 @@ double Decoder::likely_place_score(const State& state, int u, int member) const 
   double score = 0;
   if (hangs_twice(state, u, member)) score += weight::kPlacedTwice;
   if (lies_twice(state, u, member)) score += weight::kLiesTwice;
-  if (stands_otherwise(state, u, member)) score += weight::kLiesTwice;
+  if (stands_otherwise(state, u, member) || stands_in_middle(state, u, member)) score += weight::kLiesTwice;
   if (lies_on_unplaced(state, u, member)) score += weight::kSmallByPlace;
   if (is_led_to_wall(state, u, member)) score += (read_as(state, member).former >= 0 ? 2 : 1) * weight::kSmallByPlace;
   return score;
@@ -177,6 +177,22 @@ bool Decoder::stands_otherwise(const State& state, int u, int member) const {
     if (!is(before, UnitKind::kPlace) || place.inverse || place.alone || place.subject != member || !is(before + 1, UnitKind::kNoun))
       continue;
     if ((far ? close(unit(before).direct) : away(unit(before).direct)) && same(state, before + 1, u + 1)) return true;
+  }
+  return false;
+}
+
+// "An island in the middle with stools, an oven and a hob along the back wall": the island is no longer meant. "A bed in the middle, along
+// the back wall" is one place.
+bool Decoder::stands_in_middle(const State& state, int u, int member) const {
+  if (!is(u, UnitKind::kPlace) || !says(unit(u).direct, RelationType::kAgainstWall) || !follows(u, UnitKind::kNoun) ||
+      chunk(u + 1).noun.kind != NounKind::kWall)
+    return false;
+  int things = 0;
+  for (int before = u - 1; before > member; --before) {
+    if (is(before, UnitKind::kNoun) && is_thing(state, before)) ++things;
+    const bool middle = is(before, UnitKind::kPlace) &&
+                        (says(unit(before).direct, RelationType::kCenterOfRoom) || says(unit(before).alone, RelationType::kCenterOfRoom));
+    if (middle && read_as(state, before).subject == member) return things > 0;
   }
   return false;
 }

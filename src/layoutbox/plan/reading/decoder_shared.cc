@@ -9,7 +9,7 @@ namespace layoutbox::offline {
 namespace {
 
 bool usually_at_wall(const NounPhrase& noun) {
-  return noun.entry != nullptr && noun.entry->back_to_wall && !noun.entry->is(Trait::kCenterPiece);
+  return noun.entry != nullptr && (noun.entry->back_to_wall || noun.entry->is(Trait::kKitchenRun)) && !noun.entry->is(Trait::kCenterPiece);
 }
 
 // A board, a picture; not a TV, which stands as well.
@@ -110,9 +110,13 @@ double Decoder::share_kind_score(const State& state, int member, int u, Referent
   // "a cabinet with a fridge and a coffee machine on top": all that it has.
   const bool content = read_as(state, member).role == NounRole::kContent;
   if (content && lists_on_it(u - 1) && !is_seat(lexicon_.catalog(), before)) return weight::kShareVerb;
-  // "stove and sink along the left wall": what stands at walls
-  if (!content && unit(member).joiner == Joiner::kAnd && by.kind == NounKind::kWall && usually_at_wall(noun) && usually_at_wall(before) &&
-      before.determiner == Determiner::kNone)
+  // "stove and sink along the left wall": what stands at walls; with articles, where what the list began with has its place already
+  const int earlier = read_as(state, read_as(state, member).former).former;
+  const bool bare = before.determiner == Determiner::kNone;
+  const bool at_walls =
+      usually_at_wall(before) && (usually_at_wall(noun) || (hangs_only(noun) && says(senses, RelationType::kAgainstWall)));
+  if (!content && unit(member).joiner == Joiner::kAnd && by.kind == NounKind::kWall && at_walls &&
+      (bare || (earlier >= 0 && is_placed_apart(state, earlier))))
     return weight::kSharePair;
   return content && implied != kNobody && lies && !is_seat(lexicon_.catalog(), before) && !is_table(lexicon_.catalog(), before) ? 1 : 0;
 }

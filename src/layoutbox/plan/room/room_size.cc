@@ -15,6 +15,7 @@ namespace {
 constexpr double kLongestSide = 100;                       // m, as in scene files
 constexpr double kNarrowest = 1.2, kNarrowestOfTwo = 0.8;  // m: of a side said alone, and of two
 constexpr double kLowestCeiling = 1.2;                     // m
+constexpr double kFoot = 0.3048;                           // m
 
 class SizeReader {
  public:
@@ -112,6 +113,9 @@ class SizeReader {
     SidesRead read = read_sides(lexicon_, tokens_, at);
     if (read.sides.empty()) read = read_two_joined(lexicon_, tokens_, owner_, at);
     if (read.sides.empty()) read = read_square(at);
+    if (read.sides.size() == 2 && !read.united && is_in_feet(read.sides)) {
+      for (double& side : read.sides) side *= kFoot;
+    }
     const std::vector<double>& values = read.sides;
     const std::size_t length = read.length;
     if (!values.empty() && owner_.says_free_floor(at)) {
@@ -133,6 +137,20 @@ class SizeReader {
     return length + (values.size() == 2 ? read_height_after(at + length) : 0);
   }
 
+  // "Primary bath, 9x11": metres would make many times such a room.
+  bool is_in_feet(const std::vector<double>& sides) const {
+    constexpr double kTimes = 6, kShare = 0.35;
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+      const Match match = lexicon_.find(tokens_, i);
+      const Meaning* meaning = meaning_of(match, WordClass::kRoom);
+      if (meaning == nullptr || meaning->room == nullptr) continue;
+      const double usual = m_from_mm(meaning->room->usual_size.width) * m_from_mm(meaning->room->usual_size.depth);
+      const double area = sides[0] * sides[1];
+      return area > kTimes * usual && area * kFoot * kFoot > kShare * usual;
+    }
+    return false;
+  }
+
   // "15 feet square": both sides of a floor. Not "15 feet square table".
   SidesRead read_square(std::size_t at) const {
     const auto side = read_measure(lexicon_, tokens_, at);
@@ -149,8 +167,8 @@ class SizeReader {
 
   // "…, me on the other. 15 feet square, a fireplace": a floor by itself is the room's.
   bool opens_sentence(std::size_t at, std::size_t length, const std::vector<double>& sides) const {
-    constexpr double kLeast = 2.4;
-    const bool large = sides.size() >= 2 && sides[0] >= kLeast && sides[1] >= kLeast;
+    constexpr double kLeast = 2.4, kSmallest = 2.5;  // m, m²
+    const bool large = sides.size() >= 2 && ((sides[0] >= kLeast && sides[1] >= kLeast) || owner_.exceeds_last_thing(at, sides, kSmallest));
     return large && size_.width == 0 && at > 0 && tokens_[at - 1].ends_sentence && owner_.stands_alone(at, at + length);
   }
 

@@ -60,7 +60,7 @@ bool SizeOwner::speaks_of_room(std::size_t first, std::size_t last, const std::v
     if ((has_class(name.match, WordClass::kWindow) || has_class(name.match, WordClass::kDoor)) && !no_opening && !referred)
       return false;  // "a wall's windows, each 1.5 m wide"
   }
-  return known_.width == 0 && (first < kEarly || too_large_for_last_thing(begin, sides, smallest));
+  return known_.width == 0 && (first < kEarly || exceeds_last_thing(begin, sides, smallest));
 }
 
 // "off the back door", "next to the window": a place by what is there already.
@@ -121,7 +121,7 @@ std::vector<SizeOwner::Named> SizeOwner::named_in(std::size_t begin, std::size_t
 }
 
 // "A bed and a wardrobe. Size 4 x 3.5 m.": the floor of a room, and far more than the thing named last before that sentence can take.
-bool SizeOwner::too_large_for_last_thing(std::size_t begin, const std::vector<double>& sides, double smallest) const {
+bool SizeOwner::exceeds_last_thing(std::size_t begin, const std::vector<double>& sides, double smallest) const {
   if (sides.size() < 2 || sides[0] * sides[1] < smallest) return false;
   for (const Named& name : std::views::reverse(named_in(begin > kLookBack ? begin - kLookBack : 0, begin))) {
     if (has_class(name.match, WordClass::kObject)) return beyond(name.match, sides);

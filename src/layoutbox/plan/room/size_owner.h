@@ -28,6 +28,8 @@ class SizeOwner {
   bool follows_room(std::size_t at) const;
   // "my dorm room: bed, desk, fridge, 10 sqm": an item of its own is no thing's floor.
   bool stands_alone(std::size_t first, std::size_t last) const;
+  // "A bed and a wardrobe. Size 4 x 3.5 m.": a floor of at least `smallest` m², and far more than what was named last before `begin` takes.
+  bool exceeds_last_thing(std::size_t begin, const std::vector<double>& sides, double smallest) const;
 
  private:
   // What is named in a stretch of text, compounds whole: a camper van is no van.
@@ -39,7 +41,6 @@ class SizeOwner {
   bool says_centimetres(std::size_t at) const;
   bool is_left_free(std::size_t space) const;
   std::vector<Named> named_in(std::size_t begin, std::size_t end) const;
-  bool too_large_for_last_thing(std::size_t begin, const std::vector<double>& sides, double smallest) const;
   bool fits_thing_before(std::size_t end, const std::vector<double>& sides) const;
 
   const Lexicon& lexicon_;
