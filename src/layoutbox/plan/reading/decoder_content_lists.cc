@@ -96,6 +96,13 @@ double Decoder::each_has_score(const State& state, int member, int u, Referent o
   return may_come_with(noun_of(state, owner), chunk(u).noun) && !goes_on ? weight::kEachHas : weight::kNotWithEach;
 }
 
+// "armchair, side table with a lamp, waste basket": what has no article goes on with the list outside.
+bool Decoder::is_outer_item(int u, const NounPhrase& former) const {
+  const NounPhrase& noun = chunk(u).noun;
+  return unit(u).joiner == Joiner::kComma && noun.determiner == Determiner::kNone && noun.count == 0 && !noun.plural &&
+         former.determiner == Determiner::kIndefinite && mount_of(noun) == Mount::kFloor;
+}
+
 // How well it goes with the list, by what such things do: lie on the host, stand at it.
 double Decoder::list_kind_score(const State& state, int member, int u, std::size_t length) const {
   const UnitReading& reading = read_as(state, member);
@@ -103,6 +110,7 @@ double Decoder::list_kind_score(const State& state, int member, int u, std::size
   const NounPhrase &noun = chunk(u).noun, &former = noun_of(state, member), &host = noun_of(state, read_as(state, predicate).subject);
   const Joiner joiner = unit(u).joiner;
   if (lists_on_it(u) && !is_seat(lexicon_.catalog(), noun) && !is_seat(lexicon_.catalog(), former)) return weight::kCarriedToo;
+  if (is_outer_item(u, former)) return weight::kStandsByItself;
   // What a table is surrounded by does not lie on it.
   const bool around =
       read_as(state, predicate).inverse && !carries_list(predicate) && mount_of(former) == Mount::kFloor && mount_of(noun) != Mount::kFloor;

@@ -128,11 +128,21 @@ void set_size(const Document& document, RoomSize size, SceneGraph& scene) {
   if (size.height > 0) room.height = mm_from_m(size.height);
 }
 
+// "bookcases down both long walls": the sides of a room that one enters at a narrow end.
+bool has_two_long_walls(const Document& document) {
+  return std::ranges::any_of(document.mentions, [](const Mention& mention) {
+    const NounPhrase& wall = mention.noun;
+    return wall.kind == NounKind::kWall && wall.wall_word.empty() && (wall.plural || wall.determiner == Determiner::kBoth) &&
+           length_word(wall) == "long";
+  });
+}
+
 }  // namespace
 
 void build_room(const Lexicon& lexicon, const Document& document, const RoomSize& size, SceneGraph& scene) {
   set_kind(document, scene);
   if (scene.room.shape.empty()) scene.room.shape = read_room_form(lexicon, document);
+  if (scene.room.shape.empty() && size.width == 0 && has_two_long_walls(document)) scene.room.shape = "long";
   set_size(document, size, scene);
   add_openings(document, scene);
   add_door_of_kind(lexicon.catalog(), scene);
