@@ -72,7 +72,7 @@ int openings_said(const NounPhrase& noun) {
   if (noun.count == 0 && (glass || (noun.kind == NounKind::kWindow && is_front(OpeningType::kWindow, noun)))) return 1;
   if (noun.kind == NounKind::kDoor && noun.plural) {
     const OpeningLook look = opening_look(OpeningType::kDoor, {words_of_opening(noun)});
-    const bool of_leaves = look.leaves == 2 || look.slides;
+    const bool of_leaves = look.leaves == 2 || look.slides || look.leaf == Leaf::kGlazed;
     if (of_leaves && (noun.count == 0 || noun.name.find("double") != std::string::npos)) return 1;
   }
   return noun.count > 0 ? noun.count : noun.plural ? 2 : 1;

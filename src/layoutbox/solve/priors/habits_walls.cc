@@ -128,7 +128,12 @@ bool Habits::keeps_to_corner(ItemId item) const {
   const Item& self = model_.items[item];
   if (self.is(Trait::kCenterPiece) || self.is(Trait::kTable) || self.is(Trait::kDeskLike) || self.is(Trait::kSeat)) return false;
   if (is_platform(self) || table_served_by(item).exists()) return false;
-  if (self.is(Trait::kOpenToRoom) || placed_by_relation_besides_walls(item) || !items_of_kinds(self.entry->beside, item).empty())
+  // "the shower at the far end" may stand in the corner there.
+  const bool placed = std::ranges::any_of(said_of(item), [&](const Relation* r) {
+    const bool wall = r->type == RelationType::kOnWall || r->type == RelationType::kAgainstWall || r->type == RelationType::kInRegion;
+    return !wall && std::ranges::find(r->targets, self.id) != r->targets.end();
+  });
+  if (self.is(Trait::kOpenToRoom) || placed || !items_of_kinds(self.entry->beside, item).empty())
     return false;
   return !is_faced_by_kind(item);
 }
