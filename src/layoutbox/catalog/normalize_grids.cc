@@ -114,9 +114,16 @@ class GridSettler {
         return names(r.targets, leader) && r.references.size() == 1 && names(grid.targets, r.references[0]);
       };
       const int n = static_cast<int>(grid.targets.size()), columns = *grid.parameters.columns;
-      if (n % columns == 0 && (names(grid.targets, leader) || std::ranges::any_of(scene_.relations, at_it)))
-        grid.parameters.columns = n / columns;
+      if (n % columns == 0 && (names(grid.targets, leader) || std::ranges::any_of(scene_.relations, at_it))) transpose(grid, columns);
     }
+  }
+
+  // Who is in the middle of a row stays there, as the rows run along the room's depth now.
+  static void transpose(Relation& grid, int columns) {
+    const std::vector<std::string> before = grid.targets;
+    const std::size_t abreast = static_cast<std::size_t>(columns), rows = before.size() / abreast;
+    for (std::size_t at = 0; at < before.size(); ++at) grid.targets[at] = before[at % rows * abreast + at / rows];
+    grid.parameters.columns = static_cast<int>(rows);
   }
 
   // Rows of what looks nowhere, or has its back to the walls, run along the longer side of the room, whatever words call a row.

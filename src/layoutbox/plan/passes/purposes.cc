@@ -76,6 +76,7 @@ void settle_activities(const Lexicon& lexicon, Document& document) {
 // "I use a power chair", "a man in a wheelchair": what somebody comes with is not part of the room.
 void settle_aids(const Lexicon& lexicon, Document& document) {
   constexpr std::size_t kReach = 4;  // tokens between the person and the aid
+  static constexpr std::string_view kRoom[] = {"room", "space", "place"};
   static constexpr std::string_view kWith[] = {"use", "uses", "using", "need", "needs", "in", "has", "have", "with"};
   const auto is_one_of = [](const auto& words, const Token& token) { return std::ranges::find(words, token.text) != std::end(words); };
   for (Chunk& chunk : document.chunks) {
@@ -88,7 +89,10 @@ void settle_aids(const Lexicon& lexicon, Document& document) {
       person =
           person || one_of(token.text, WordSet::kPersons) || lexicon.is_person(token.text) || word_form(token.text) == WordForm::kPerson;
     }
-    if (with && person) pass_over(document, chunk, "whom it is for");
+    // "keep room for a wheelchair"
+    const bool room_for =
+        chunk.first > 1 && document.tokens[chunk.first - 1].text == "for" && is_one_of(kRoom, document.tokens[chunk.first - 2]);
+    if ((with && person) || room_for) pass_over(document, chunk, "whom it is for");
   }
 }
 

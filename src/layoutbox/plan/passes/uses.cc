@@ -31,7 +31,7 @@ class UseReader : public UseRows {
         write(i, *use);
         ++written;
       } else if (thing > 0) {
-        leave_out(i, i + place + 1);
+        leave_out(i, i + place + 1 + (is(i + place, {"to"}) ? keeping(i + place + 1) : 0));
         ++written;
       }
     }
@@ -47,12 +47,16 @@ class UseReader : public UseRows {
     // not "a nightstand provides space for a phone"
     const bool opens = first == 0 || tokens_[first - 1].kind != Token::Kind::kWord || tokens_[first - 1].ends_sentence ||
                        is(first - 1, {"and", "with", "plus", "need", "want", "needs", "wants", "also"});
-    if (!opens || !is(at, {"for"}) || !is_article(at + 1)) return 0;
-    const Match thing = lexicon_.find(tokens_, at + 2, WordClass::kObject);
+    // "somewhere to put a mirror"
+    const std::size_t put = is(at, {"to"}) ? keeping(at + 1) : 0;
+    const std::size_t article = at + 1 + put;
+    if (!opens || !(is(at, {"for"}) || put > 0) || !is_article(article)) return 0;
+    const Match thing = lexicon_.find(tokens_, article + 1, WordClass::kObject);
     const Meaning* meaning = meaning_of(thing, WordClass::kObject);
-    const bool stands = meaning != nullptr && meaning->entry != nullptr && !meaning->entry->is(Trait::kTableSeat) &&
-                        (meaning->entry->mount == Mount::kFloor || meaning->entry->mount == Mount::kSurface);
-    return stands ? at + 2 + thing.length : 0;
+    const Mount mount = meaning != nullptr && meaning->entry != nullptr ? meaning->entry->mount : Mount::kCeiling;
+    const bool stands = mount != Mount::kCeiling && !meaning->entry->is(Trait::kTableSeat) && !meaning->entry->is(Trait::kPersonalAid) &&
+                        (mount == Mount::kFloor || mount == Mount::kWall || (mount == Mount::kSurface && put == 0));
+    return stands ? article + 1 + thing.length : 0;
   }
 
   // The tokens of "somewhere", "a place", "some space", "storage" that begin there; 0: none.

@@ -78,9 +78,12 @@ std::optional<Measure> read_measure(const Lexicon& lexicon, std::span<const Toke
   if (unit.length == 0) return std::nullopt;
   // "in" is a preposition unless a number stands right before it and no noun phrase follows.
   if (unit_word == "in" && tokens[at].kind == Token::Kind::kNumber && !tokens[unit_at].glued) {
+    constexpr double kFewest = 3;  // nobody measures furniture in such: "1.8 x 0.6 in SW corner"
     const bool more = unit_at + 1 < tokens.size() &&
-                      (lexicon.is(tokens[unit_at + 1], WordClass::kDefinite) || lexicon.is(tokens[unit_at + 1], WordClass::kIndefinite));
-    if (more) return std::nullopt;
+                      (lexicon.is(tokens[unit_at + 1], WordClass::kDefinite) || lexicon.is(tokens[unit_at + 1], WordClass::kIndefinite) ||
+                       lexicon.is(tokens[unit_at + 1], WordClass::kSide) ||
+                       one_of(tokens[unit_at + 1].text, {"corner", "middle", "center", "front", "each"}));
+    if (more || value < kFewest) return std::nullopt;
   }
   if (unit_word == "in" && tokens[at].kind != Token::Kind::kNumber) return std::nullopt;
   Measure measure{value * scale, unit_at + 1 - at};

@@ -154,6 +154,10 @@ bool UnitReader::purpose_ends(std::size_t k, std::size_t n) const {
   // "for keys and mirror over it"
   const bool thing = noun.kind == NounKind::kObject && noun.entry != nullptr && !noun.doubted;
   if (thing && (noun.exact || comma) && is(next(n), ChunkKind::kRelation)) return true;
+  // "a lamp he can reach from bed, and my sewing table"
+  if (!comma && thing && noun.exact && noun.determiner == Determiner::kPossessive && mount_of(noun) == Mount::kFloor && k > 0 &&
+      is(k - 1, ChunkKind::kComma))
+    return true;
   if (!comma) return false;
   // "a hall for a game, entrance south"
   if (is_opening(noun)) return true;

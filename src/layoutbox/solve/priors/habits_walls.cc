@@ -133,8 +133,7 @@ bool Habits::keeps_to_corner(ItemId item) const {
     const bool wall = r->type == RelationType::kOnWall || r->type == RelationType::kAgainstWall || r->type == RelationType::kInRegion;
     return !wall && std::ranges::find(r->targets, self.id) != r->targets.end();
   });
-  if (self.is(Trait::kOpenToRoom) || placed || !items_of_kinds(self.entry->beside, item).empty())
-    return false;
+  if (self.is(Trait::kOpenToRoom) || placed || !items_of_kinds(self.entry->beside, item).empty()) return false;
   return !is_faced_by_kind(item);
 }
 
