@@ -115,6 +115,7 @@ class RelationBuilder : private RelationWriter {
   void add_in_room(const Link& link, const PhraseSense& sense, const Mention& target, const NounPhrase& place);
   bool is_side_on(const Link& link, const PhraseSense& sense, const NounPhrase& thing, const NounPhrase& host) const;
   bool says_top(const Link& link) const;
+  static bool is_closed(const CatalogEntry& host);
   void settle_sense(const Link& link, PhraseSense& sense, const Mention& target, const std::vector<int>& references) const;
   bool add_drawn_up(const Link& link, const PhraseSense& sense, const Mention& target, const std::vector<int>& references);
   bool add_before_seats(const Link& link, const PhraseSense& sense, const Mention& target, const std::vector<int>& references);

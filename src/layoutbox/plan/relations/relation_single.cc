@@ -35,6 +35,11 @@ bool RelationBuilder::says_top(const Link& link) const {
   return false;
 }
 
+// A wardrobe, a locker: what is on it is on its top.
+bool RelationBuilder::is_closed(const CatalogEntry& host) {
+  return std::ranges::all_of(host.spaces, [](const SpaceFormula& space) { return !space.carries || space.name == "inside"; });
+}
+
 // What the phrase comes to mean by what the two are and where the reference is.
 void RelationBuilder::settle_sense(const Link& link, PhraseSense& sense, const Mention& target, const std::vector<int>& references) const {
   const NounPhrase& host = noun_of_item(references.front());
@@ -51,8 +56,8 @@ void RelationBuilder::settle_sense(const Link& link, PhraseSense& sense, const M
   }
   if (sense.type == R::kAbove && !says_over(link)) settle_lighting(sense, target.noun, host);
   if (sense.type == R::kAtHeadOf && mount == Mount::kWall) sense.type = R::kAbove;  // "a picture above the head of the bed"
-  if (sense.type == R::kOn && sense.part.empty() && says_top(link) && host.entry != nullptr && host.entry->top_carries &&
-      std::ranges::any_of(host.entry->spaces, &SpaceFormula::carries))
+  if (sense.type == R::kOn && sense.part.empty() && host.entry != nullptr && host.entry->top_carries &&
+      (says_top(link) || is_closed(*host.entry)) && std::ranges::any_of(host.entry->spaces, &SpaceFormula::carries))
     sense.part = PartWord::kTop;  // of a locker, not in it
   if (sense.type == R::kOpposite && mount == Mount::kSurface && document_.tokens[link.first].text == "across" &&
       link.last - link.first <= 3 && mount_of(host) == Mount::kFloor && !link.implied)
