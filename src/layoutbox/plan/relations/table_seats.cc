@@ -226,8 +226,9 @@ class TableSeats {
     std::optional<int> table;
     for (std::size_t m = 0; m < document_.mentions.size(); ++m) {
       const Mention& other = document_.mentions[m];
-      const bool such =
-          names_things(other) && other.noun.entry != nullptr && is_table(catalog_, other.noun) && is_for_several(*other.noun.entry);
+      // not the cash desk of a salon with three chairs
+      const bool such = names_things(other) && other.noun.entry != nullptr && is_table(catalog_, other.noun) &&
+                        is_for_several(*other.noun.entry) && !other.noun.entry->is(Trait::kOpenToRoom);
       if (!such) continue;
       if (table) return;
       table = static_cast<int>(m);

@@ -116,7 +116,9 @@ void set_size(const Document& document, RoomSize size, SceneGraph& scene) {
   if (size.width > 0 && size.depth > 0) {
     Mm w = mm_from_m(size.width), d = mm_from_m(size.depth);
     // "long and narrow, 4.5 x 2.2 m": one comes in at a narrow end, and its long sides are the left and the right one.
-    const bool by_sides = std::ranges::any_of(document.tokens, [](const Token& t) { return t.text == "left" || t.text == "right"; });
+    const auto is_side = [](std::string_view word) { return word == "left" || word == "right"; };
+    const bool by_sides =
+        std::ranges::any_of(document.tokens, is_side, &Token::text) || std::ranges::any_of(document.bans, is_side, &Ban::of);
     if (room.shape == "long" && !document.niche && by_sides && w > d) std::swap(w, d);
     if (!document.niche && (turns_by_walls(document, w, d) || turns_by_ends(document, w, d))) std::swap(w, d);
     room.polygon = document.niche ? outline_with_niche(w, d, *document.niche) : room_outline(room.shape, w, d);
