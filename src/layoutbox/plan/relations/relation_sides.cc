@@ -229,7 +229,9 @@ void RelationBuilder::share_like_sides() {
     shared.insert(all.begin(), all.end());
     if (all.size() < 2 || all.size() % 2 != 0) continue;
     add_habit(R::kEachSideOf, all, first.references, kTogether, "as many at the one side as at the other");
-    scene_.relations.back().hard = true;
+    // Of more, seats change sides until they sit evenly.
+    const auto at_it = [&](const Relation& r) { return r.type == R::kAlongSide && r.references == first.references; };
+    scene_.relations.back().hard = std::ranges::count_if(said, at_it) == 2;
   }
 }
 

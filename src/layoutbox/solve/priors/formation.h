@@ -66,7 +66,11 @@ void add_formation_place(Formula& f, const PlacementModel& model, const Formatio
 // The same for desks in islands: two rows back to back, those who sit there looking at each other.
 void add_island_place(Formula& f, const PlacementModel& model, const FormationOf& of);
 
-// Wishes for seat k of n at a table used all round (shared out over its sides, or its two long ones), or at the side where a desk is used.
-void add_seat_place(Formula& f, const PlacementModel& model, ItemId seat, ItemId table, int k, int n, int weight, bool long_sides = false);
+// Over which sides of a table seats are shared out: all round it, or the side where a desk is used; its two long ones; its two ends.
+enum class SeatSides { kUsed, kLong, kEnds };
+
+// Wishes for seat k of n at a table.
+void add_seat_place(Formula& f, const PlacementModel& model, ItemId seat, ItemId table, int k, int n, int weight,
+                    SeatSides sides = SeatSides::kUsed);
 
 }  // namespace layoutbox::placement

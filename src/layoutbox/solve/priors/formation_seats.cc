@@ -14,13 +14,13 @@ constexpr Mm kBeforeKneeless = 100;  // from what one sits before without room f
 
 }  // namespace
 
-void add_seat_place(Formula& f, const PlacementModel& model, ItemId seat, ItemId table, int k, int n, int weight, bool long_sides) {
+void add_seat_place(Formula& f, const PlacementModel& model, ItemId seat, ItemId table, int k, int n, int weight, SeatSides sides) {
   const Item &chair = model.items[seat], &host = model.items[table];
   const Size &size = host.states[0].size, &own = chair.states[0].size;
   Side side = used_side(host);
   int place = k, places = n;
-  if (long_sides) {
-    const bool wide = size.width >= size.depth;
+  if (sides != SeatSides::kUsed) {
+    const bool wide = (size.width >= size.depth) == (sides == SeatSides::kLong);
     side = k % 2 == 0 ? (wide ? Side::kFront : Side::kLeft) : wide ? Side::kBack : Side::kRight;
     place = k / 2, places = k % 2 == 0 ? (n + 1) / 2 : n / 2;
   } else if (!host.has_front) {

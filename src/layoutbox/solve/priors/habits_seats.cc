@@ -193,14 +193,15 @@ bool Habits::told_short_side(ItemId item, ItemId host) const {
 
 // Several seats before a counter or a long desk share its width out. False: it is the only one.
 bool Habits::sit_in_row(ItemId item, ItemId host, RelationType how) {
-  const RelationSet in_front(how, RelationType::kFacing, RelationType::kCenteredOn);
+  const RelationSet in_front(how, RelationType::kFacing, RelationType::kCenteredOn, RelationType::kEachSideOf);
   const bool along = how == RelationType::kAlongSide;
   if (model_.items[host].is_opening()) return false;
   if (!model_.items[item].is(Trait::kTableSeat) || (!along && !model_.items[host].has_front)) return false;
+  const bool at_end = along && told_short_side(item, host);
   std::vector<ItemId> seats;
   for (const ItemId other : model_.items.ids()) {
     if (model_.items[other].entry == model_.items[item].entry && related_as_target(other, host, how) &&
-        only_related_by(other, host, in_front) && !(along && told_short_side(other, host)))
+        only_related_by(other, host, in_front) && !(along && told_short_side(other, host) != at_end))
       seats.push_back(other);
   }
   const auto k = std::find(seats.begin(), seats.end(), item) - seats.begin();
@@ -208,7 +209,8 @@ bool Habits::sit_in_row(ItemId item, ItemId host, RelationType how) {
   Formula f;
   // What stands free has seats at both of its long sides, though one mostly works at its front.
   const bool both = along && (!model_.items[host].has_front || (told_to_stand_free(host) && !model_.items[host].is(Trait::kCounter)));
-  add_seat_place(f, model_, item, host, static_cast<int>(k), static_cast<int>(seats.size()), kBeside, both);
+  const SeatSides sides = at_end ? SeatSides::kEnds : both ? SeatSides::kLong : SeatSides::kUsed;
+  add_seat_place(f, model_, item, host, static_cast<int>(k), static_cast<int>(seats.size()), kBeside, sides);
   habit("in a row before it", item, kBeside, std::move(f), {host});
   return true;
 }
