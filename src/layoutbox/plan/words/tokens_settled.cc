@@ -37,12 +37,21 @@ bool is_likeness(const std::vector<Token>& tokens, std::size_t at) {
          tokens[at].begin == tokens[at - 1].end + 1;
 }
 
+// "six-ish metres", "4ish": about so many.
+bool is_about(const std::vector<Token>& tokens, std::size_t at) {
+  static constexpr std::string_view kNumbers[] = {"two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "twelve"};
+  if (tokens[at].text != "ish" || at == 0 || !tokens[at].glued) return false;
+  const Token& number = tokens[at - 1];
+  return number.kind == Token::Kind::kNumber || std::ranges::find(kNumbers, number.text) != std::end(kNumbers);
+}
+
 }  // namespace
 
 std::vector<Token> settle_on(const std::vector<Token>& tokens) {
   std::vector<Token> out;
   out.reserve(tokens.size());
   for (std::size_t i = 0; i < tokens.size(); ++i) {
+    if (is_about(tokens, i)) continue;
     if (i > 0 && is_on_side(tokens, i)) {
       Token& on = out.emplace_back();
       on.text = "on";
