@@ -275,6 +275,9 @@ TEST(NormalizeGrids, RowsLookStraightAtTheWallOfWhatTheyLookAt) {
   scene = normalized(scene);
   const auto of = [&](RelationType type) { return std::ranges::find(scene.relations, type, &Relation::type); };
   EXPECT_EQ(of(RelationType::kGrid)->parameters.columns, 2);
+  EXPECT_THAT(of(RelationType::kGrid)->targets,
+              ElementsAre("school_desk_1", "school_desk_4", "school_desk_2", "school_desk_5", "school_desk_3", "school_desk_6"))
+      << "who is in the middle of a row stays there";
   const std::string wall = of(RelationType::kOnWall)->references.at(0);
   const auto straight = [&](const Relation& r) {
     return r.type == RelationType::kFacing && r.references == std::vector<std::string>{wall};

@@ -146,6 +146,34 @@ TEST(Sets, WhoIsToldToSitAtTheEndOfATableHasIt) {
   EXPECT_LT(std::abs(at.x) - 700 - high.size.depth / 2.0, 300) << "no chair is between";
 }
 
+// "four chairs on each long side, one at each end"
+TEST(Sets, SeatsAtTheSidesOfATableShareThemEvenly) {
+  SceneMaker maker(6500, 4000);
+  maker.add("table").sized(2600, 1100, 750).add("chair", 10).relate("centerOfRoom", {"table_1"}, {});
+  for (int i = 1; i <= 10; ++i) {
+    RelationParameters side;
+    side.side = i <= 8 ? Side::kLong : Side::kShort;
+    maker.relate("alongSide", {"chair_" + std::to_string(i)}, {"table_1"}, side);
+  }
+  const Layout layout = solved_as_asked(maker.make());
+  std::vector<double> front, back;
+  for (int i = 1; i <= 10; ++i) {
+    const PlacedObject& chair = *layout.find_object("chair_" + std::to_string(i));
+    const TestPoint at = in_frame_of(*layout.find_object("table_1"), {chair.position[0], chair.position[1], 0});
+    if (i <= 8) {
+      EXPECT_LT(std::abs(at.y), 550 + chair.size.depth) << "chair " << i << " is in a second row";
+      (at.y < 0 ? front : back).push_back(at.x);
+    } else {
+      EXPECT_NEAR(at.y, 0, 150) << "chair " << i << " at its end";
+    }
+  }
+  for (std::vector<double>* side : {&front, &back}) {
+    ASSERT_EQ(side->size(), 4U);
+    std::ranges::sort(*side);
+    for (std::size_t i = 1; i < side->size(); ++i) EXPECT_NEAR((*side)[i] - (*side)[i - 1], 2600 / 4.0, 150);
+  }
+}
+
 TEST(Sets, GuestsSitOffTheReceptionDesk) {
   SceneMaker maker(5500, 4500);
   maker.add("reception_desk").add("chair", 6).opening(OpeningType::kDoor, "wall1", 2300);

@@ -192,6 +192,7 @@ class Decoder {
   bool lies_twice(const State& state, int u, int member) const;
   bool names_own_carrier(int u) const;
   bool stands_otherwise(const State& state, int u, int member) const;
+  bool share_wall(const State& state, int member, int u) const;
   bool stands_in_middle(const State& state, int u, int member) const;
   bool lies_on_unplaced(const State& state, int u, int member) const;
   bool is_led_to_wall(const State& state, int u, int member) const;

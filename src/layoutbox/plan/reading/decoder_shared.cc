@@ -79,6 +79,17 @@ bool Decoder::is_pair(const State& state, int member, int u) const {
          (unit(next).joiner == Joiner::kComma || unit(next).joiner == Joiner::kCommaAnd);
 }
 
+// "stove and sink along the left wall": what stands at walls; with articles, where what the list began with has its place already.
+bool Decoder::share_wall(const State& state, int member, int u) const {
+  const int former = read_as(state, member).former;
+  const NounPhrase &noun = noun_of(state, member), &before = noun_of(state, former);
+  if (unit(member).joiner != Joiner::kAnd || !usually_at_wall(before)) return false;
+  const PhraseSenses& senses = unit(u).direct.empty() ? unit(u).alone : unit(u).direct;
+  if (!usually_at_wall(noun) && !(hangs_only(noun) && says(senses, RelationType::kAgainstWall))) return false;
+  const int earlier = read_as(state, former).former;
+  return before.determiner == Determiner::kNone || (earlier >= 0 && is_placed_apart(state, earlier));
+}
+
 // Things of a kind share what such things have: what lies on a table, the seats around one.
 double Decoder::share_kind_score(const State& state, int member, int u, Referent implied, const NounPhrase& by) const {
   const NounPhrase &noun = noun_of(state, member), &before = noun_of(state, read_as(state, member).former);
@@ -110,14 +121,7 @@ double Decoder::share_kind_score(const State& state, int member, int u, Referent
   // "a cabinet with a fridge and a coffee machine on top": all that it has.
   const bool content = read_as(state, member).role == NounRole::kContent;
   if (content && lists_on_it(u - 1) && !is_seat(lexicon_.catalog(), before)) return weight::kShareVerb;
-  // "stove and sink along the left wall": what stands at walls; with articles, where what the list began with has its place already
-  const int earlier = read_as(state, read_as(state, member).former).former;
-  const bool bare = before.determiner == Determiner::kNone;
-  const bool at_walls =
-      usually_at_wall(before) && (usually_at_wall(noun) || (hangs_only(noun) && says(senses, RelationType::kAgainstWall)));
-  if (!content && unit(member).joiner == Joiner::kAnd && by.kind == NounKind::kWall && at_walls &&
-      (bare || (earlier >= 0 && is_placed_apart(state, earlier))))
-    return weight::kSharePair;
+  if (!content && by.kind == NounKind::kWall && share_wall(state, member, u)) return weight::kSharePair;
   return content && implied != kNobody && lies && !is_seat(lexicon_.catalog(), before) && !is_table(lexicon_.catalog(), before) ? 1 : 0;
 }
 
