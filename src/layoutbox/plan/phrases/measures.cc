@@ -243,8 +243,7 @@ SidesRead read_sides(const Lexicon& lexicon, std::span<const Token> tokens, std:
     const Match dimension = i < tokens.size() ? lexicon.find(tokens, i, WordClass::kDimension) : Match{};
     if (measure && dimension.length > 0 && i + dimension.length < tokens.size() && is_by(tokens[i + dimension.length]))
       i += dimension.length;
-    const bool per = measure && i < tokens.size() && tokens[i].text == "per";  // "4.5 m per 4 m", as other languages say it
-    if (i >= tokens.size() || !(per || is_by(tokens[i])) || read_number(lexicon, tokens, i + 1).length == 0) break;
+    if (i >= tokens.size() || !is_by(tokens[i]) || read_number(lexicon, tokens, i + 1).length == 0) break;
     ++i;
   }
   if (read.sides.size() < 2) return {};

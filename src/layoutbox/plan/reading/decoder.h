@@ -176,6 +176,7 @@ class Decoder {
   bool goes_on_apart(const NounPhrase& host, const NounPhrase& noun, Joiner joiner) const;
   bool has_top_for(const NounPhrase& host, const NounPhrase& noun) const;
   bool stands_small(const NounPhrase& noun) const;
+  bool ends_objects(int predicate, int u) const;
   bool is_outer_item(int u, const NounPhrase& former) const;
   bool may_come_with(const NounPhrase& host, const NounPhrase& noun) const;
   bool placed_by_unsaid(int u) const;

@@ -103,6 +103,13 @@ bool Decoder::is_outer_item(int u, const NounPhrase& former) const {
          former.determiner == Determiner::kIndefinite && mount_of(noun) == Mount::kFloor;
 }
 
+// "bears a till, a jar and a mannequin": the last of the objects of such a verb.
+bool Decoder::ends_objects(int predicate, int u) const {
+  const Joiner joiner = unit(u).joiner;
+  return carries_list(predicate) && is_finite(word(predicate)) && joiner != Joiner::kComma && !has_own_place(u) &&
+         !follows(u, UnitKind::kVerb) && !follows(u, UnitKind::kHave) && !follows(u, UnitKind::kParticiple);
+}
+
 // How well it goes with the list, by what such things do: lie on the host, stand at it.
 double Decoder::list_kind_score(const State& state, int member, int u, std::size_t length) const {
   const UnitReading& reading = read_as(state, member);
@@ -133,8 +140,7 @@ double Decoder::list_kind_score(const State& state, int member, int u, std::size
   // too.
   if (carries_list(predicate) && !has_own_place(u) && (carried || stands_small(noun))) return carried ? weight::kCarriedToo : 0.6;
   // "bears a till, a jar and a mannequin": what ends the objects of a verb is one of them, whatever such things stand on elsewhere.
-  const bool object = carries_list(predicate) && is_finite(word(predicate)) && joiner != Joiner::kComma && !has_own_place(u) &&
-                      !follows(u, UnitKind::kVerb) && !follows(u, UnitKind::kHave) && !follows(u, UnitKind::kParticiple);
+  const bool object = ends_objects(predicate, u);
   if (object && before) return 0.6;
   if (differ && mount_of(noun) == Mount::kFloor && !carried) return weight::kStandsByItself;
   if (differ) return weight::kNotCarried;
