@@ -28,13 +28,7 @@ bool beyond(const Match& match, const std::vector<double>& sides) {
 
 bool SizeOwner::speaks_of_room(std::size_t first, std::size_t last, const std::vector<double>& sides) const {
   if (follows_room(first) && sides.size() >= 2 && sides[0] * sides[1] >= kSmallestAfterRoom) return true;
-  for (std::size_t i = last; i < std::min(last + 4, tokens_.size()); ++i) {
-    if (tokens_[i].kind == Token::Kind::kPunctuation) break;
-    const Match match = lexicon_.find(tokens_, i);
-    if (has_class(match, WordClass::kHave) || has_class(match, WordClass::kBe) || lexicon_.find_phrase(tokens_, i).length > 0) break;
-    if (has_class(match, WordClass::kRoom) || has_class(match, WordClass::kRoomNoun)) return true;
-    if (has_class(match, WordClass::kObject)) return false;
-  }
+  if (const std::optional<bool> room = room_follows(last)) return *room;
   // "…, hamper, ironing board, 6 feet by 5 feet": what the text closes with
   const bool closes =
       first > 0 && tokens_[first - 1].text == "," &&
@@ -61,6 +55,18 @@ bool SizeOwner::speaks_of_room(std::size_t first, std::size_t last, const std::v
       return false;  // "a wall's windows, each 1.5 m wide"
   }
   return known_.width == 0 && (first < kEarly || exceeds_last_thing(begin, sides, smallest));
+}
+
+// "a 4 x 3 m bedroom", "a 4 x 3 m rug": what comes right after the size; nothing where that is neither.
+std::optional<bool> SizeOwner::room_follows(std::size_t last) const {
+  for (std::size_t i = last; i < std::min(last + 4, tokens_.size()); ++i) {
+    if (tokens_[i].kind == Token::Kind::kPunctuation) break;
+    const Match match = lexicon_.find(tokens_, i);
+    if (has_class(match, WordClass::kHave) || has_class(match, WordClass::kBe) || lexicon_.find_phrase(tokens_, i).length > 0) break;
+    if (has_class(match, WordClass::kRoom) || has_class(match, WordClass::kRoomNoun)) return true;
+    if (has_class(match, WordClass::kObject)) return false;
+  }
+  return std::nullopt;
 }
 
 // "off the back door", "next to the window": a place by what is there already.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "layoutbox/plan/room/room_reader.h"
@@ -37,6 +38,7 @@ class SizeOwner {
     std::size_t at = 0;
     Match match;
   };
+  std::optional<bool> room_follows(std::size_t last) const;
   bool is_referred_to(const Named& name) const;
   bool says_centimetres(std::size_t at) const;
   bool is_left_free(std::size_t space) const;
