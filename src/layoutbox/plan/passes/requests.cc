@@ -1,8 +1,10 @@
 #include "layoutbox/plan/passes/requests.h"
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
 
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/phrases/token_reader.h"
 #include "layoutbox/plan/words/english.h"
 #include "layoutbox/plan/words/word_sets.h"
@@ -97,6 +99,8 @@ class RequestReader : public TokenReader {
     while (is(spot, {"a", "an", "some", "enough", "good", "nice", "suitable", "the"})) ++spot;
     if (!is(spot, WordSet::kHomes)) return;
     if (is(spot + 1, {"for"}) && is_article(spot + 2)) {
+      const std::optional<NamedThing> thing = thing_named_at(spot + 2);
+      if (thing && thing->entry != nullptr && thing->entry->is(Trait::kPersonalAid)) return;  // it only has to pass there
       tokens_[i].text = "put";
       leave_out(i + 1, spot + 2);
       return;

@@ -21,8 +21,6 @@ bool fraction_at(std::span<const Token> tokens, std::size_t at) {
          tokens[at + 1].glued && tokens[at + 1].begin == tokens[at].end + 1 && tokens[at].number < tokens[at + 1].number;
 }
 
-constexpr double kFoot = 0.3048, kInch = 0.0254;
-
 // What follows the feet of a measure that begins at `at`: 5 ft 6 in, 5'6, 5'-6 1/2" as draughtsmen write.
 void add_inches(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at, Measure& measure) {
   const std::size_t end = at + measure.length;
@@ -249,7 +247,7 @@ SidesRead read_sides(const Lexicon& lexicon, std::span<const Token> tokens, std:
   if (read.sides.size() < 2) return {};
   read.united = unit > 0;
   const double longest = *std::max_element(read.sides.begin(), read.sides.end());
-  if (unit == 0) unit = longest > kLongestInFeet ? 0.01 : longest > kLongestInMetres ? 0.3048 : 1.0;
+  if (unit == 0) unit = longest > kLongestInFeet ? 0.01 : longest > kLongestInMetres ? kFoot : 1.0;
   for (std::size_t s = 0; s < read.sides.size(); ++s) {
     if (!united[s]) read.sides[s] *= unit;
   }

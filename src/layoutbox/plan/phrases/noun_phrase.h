@@ -105,6 +105,8 @@ struct Measure {
 };
 std::optional<Measure> read_measure(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at);
 
+constexpr double kFoot = 0.3048, kInch = 0.0254;  // metres
+
 // "6 x 5 m", "12 by 14 feet", "4 m wide by 3 m deep": the sides in the order they stand; empty where `at` begins no such thing. Numbers
 // without a unit take that of another one; without any it is metres, or feet where a side would be longer than 20, or centimetres (90).
 struct SidesRead {

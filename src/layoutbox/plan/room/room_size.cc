@@ -15,7 +15,6 @@ namespace {
 constexpr double kLongestSide = 100;                       // m, as in scene files
 constexpr double kNarrowest = 1.2, kNarrowestOfTwo = 0.8;  // m: of a side said alone, and of two
 constexpr double kLowestCeiling = 1.2;                     // m
-constexpr double kFoot = 0.3048;                           // m
 
 class SizeReader {
  public:
@@ -207,7 +206,7 @@ class SizeReader {
       length = 1 + unit.length;
     } else if ((tokens_[at + 1].text == "m" || tokens_[at + 1].text == "ft") && at + 2 < tokens_.size() && tokens_[at + 2].glued &&
                tokens_[at + 2].text == "2") {
-      scale = tokens_[at + 1].text == "m" ? 1 : 0.09290304;
+      scale = tokens_[at + 1].text == "m" ? 1 : kFoot * kFoot;
       length = 3;
     } else {
       return 0;
